@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Loop nests: the little language in which contraction plans are written.
+
+The same tree is printed as C and walked to count its floating-point operations, so that the count
+in a file's header is that of its loops, conditions and triangular bounds included.
+"""
+
+import re
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Do:
+    """One C statement.  Every * + - / outside square brackets counts as an operation on each lane
+    (`+=` as one); `free` statements (pointers, integers) count nothing."""
+
+    text: str
+    free: bool = False
+
+
+@dataclass(frozen=True)
+class For:
+    """for (int var = first; var < last; var++) body; bounds are integer expressions."""
+
+    var: str
+    first: str
+    last: str
+    body: tuple
+
+
+@dataclass(frozen=True)
+class If:
+    """if (condition) body; the condition may use loop variables, sizes and integer tables."""
+
+    condition: str
+    body: tuple
+
+
+@dataclass(frozen=True)
+class Let:
+    """const int var = expression of loop variables, sizes and integer tables, for use in bounds and
+    conditions."""
+
+    var: str
+    expression: str
+
+
+@dataclass(frozen=True)
+class Note:
+    """A comment line."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Function:
+    """A static C function.  A Do statement that calls another counts that one's operations."""
+
+    name: str
+    signature: str
+    comment: str
+    body: tuple
+
+
+def loop(var, last, *body, first="0"):
+    return For(var, first, last, body)
+
+
+def write(body, depth=1):
+    """The lines of C of a body."""
+    pad, lines = "    " * depth, []
+    for node in body:
+        match node:
+            case Do():
+                lines += [pad + line for line in node.text.split("\n")]
+            case Note():
+                lines.append(f"{pad}/* {node.text} */")
+            case Let():
+                lines.append(f"{pad}const int {node.var} = {node.expression};")
+            case For():
+                head = f"for (int {node.var} = {node.first}; {node.var} < {node.last}; {node.var}++)"
+                lines += [f"{pad}{head} {{", *write(node.body, depth + 1), pad + "}"]
+            case If():
+                lines += [f"{pad}if ({node.condition}) {{", *write(node.body, depth + 1), pad + "}"]
+    return lines
+
+
+class Counter:
+    """Counts operations of functions under given sizes and integer tables."""
+
+    def __init__(self, functions, names):
+        self.functions = {f.name: f for f in functions}
+        self.names = dict(names)
+        self.known = {}
+
+    def count(self, function):
+        """Operations of one call, per lane."""
+        if function not in self.known:
+            self.known[function] = self._body(self.functions[function].body, self.names)
+        return self.known[function]
+
+    def _body(self, body, names):
+        total, names = 0, dict(names)
+        for node in body:
+            match node:
+                case Do() if not node.free:
+                    total += self._statement(node.text)
+                case Let():
+                    names[node.var] = _integer(node.expression, names)
+                case If():
+                    if _integer(node.condition, names):
+                        total += self._body(node.body, names)
+                case For():
+                    total += self._loop(node, names)
+        return total
+
+    def _loop(self, node, names):
+        first, last = _integer(node.first, names), _integer(node.last, names)
+        if not _depends(node.body, node.var):
+            return max(0, last - first) * self._body(node.body, names)
+        return sum(self._body(node.body, {**names, node.var: i}) for i in range(first, last))
+
+    def _statement(self, text):
+        called = re.match(r"(\w+)\(", text)
+        if called and called[1] in self.functions:
+            return self.count(called[1])
+        return operations(text)
+
+
+def operations(text):
+    """Arithmetic operators of a C statement, those inside indices aside."""
+    while (inner := re.sub(r"\[[^\[\]]*\]", "", text)) != text:
+        text = inner
+    return len(re.findall(r"[*/+-]", text))
+
+
+def _depends(body, var):
+    """Whether any bound, condition or Let below uses the variable."""
+    use = re.compile(rf"\b{var}\b")
+    for node in body:
+        match node:
+            case Let() if use.search(node.expression):
+                return True
+            case If() if use.search(node.condition) or _depends(node.body, var):
+                return True
+            case For() if (use.search(node.first) or use.search(node.last)
+                           or _depends(node.body, var)):
+                return True
+    return False
+
+
+def _integer(expression, names):
+    text = expression.replace("&&", " and ").replace("->", "_").replace("/", "//")
+    return int(eval(text, {"__builtins__": {}, **names}))

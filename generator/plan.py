@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stage 4: the section-factored contraction of eqs. 27 and 28, as loop nests.
+
+At each axial station the S = 2M-1 section vectors D_I (d_k', then d_k) are formed from the nodal
+vectors, their Gram differences s from the reference are contracted with the section's quadratic
+form Q (sigma = Q s), and force and tangent are handed back to the nodes:
+
+    dW/dD_I       = sum_J sigma_IJ D_J
+    d2W/dD_I dD_J = sum_KL D_K Q_(IK)(JL) D_L^T + sigma_IJ 1
+
+Both hold without factors of two because diagonal Gram entries carry a half (kernel.h).  Nothing
+here knows an element's name: sizes and tables come from the Element.
+"""
+
+from .ir import Do, For, Function, If, Let, Note, loop
+
+
+def functions():
+    """The functions of the plan, callees first."""
+    return (_section_vectors(), _differences(), _stress(), _section_force(), _gather(),
+            _polar(), _force_part(), _energy_part(), _trilinear_part(), _section_stiffness(), _expand(),
+            _tangent_part())
+
+
+def _axis3(text):
+    return loop("a", "3", Do(text))
+
+
+def _section_vectors():
+    return Function(
+        "section_vectors",
+        "(const double *N, const double *Nx, const hobe_real *q, hobe_real *D)",
+        "D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0)",
+        (
+            loop("i", "3 * S", Do("D[i] = zero;")),
+            loop(
+                "v", "V",
+                Let("k", "mode[v]"),
+                _axis3("D[3 * k + a] += Nx[v] * q[3 * v + a];"),
+                If("k > 0", (_axis3("D[3 * (M - 1 + k) + a] += N[v] * q[3 * v + a];"),)),
+            ),
+        ))
+
+
+def _differences():
+    """s_IJ(B, C) = (B_I.C_J + C_I.B_J), halved on the diagonal."""
+    polar = ("B[3 * {i}] * C[3 * {j}] + B[3 * {i} + 1] * C[3 * {j} + 1] + "
+             "B[3 * {i} + 2] * C[3 * {j} + 2]")
+
+    def both(target, i, j):
+        return (Do(f"{target} = {polar.format(i=i, j=j)};"),
+                Do(f"{target} += {polar.format(i=j, j=i)};"))
+
+    def triangle(offset, first, last, target):
+        return For("i", first, last, (
+            For("j", first, "i", both(target.format(p=f"hobe_pair(i - {offset}, j - {offset})"),
+                                      "i", "j")),
+            Do(f"{target.format(p=f'hobe_pair(i - {offset}, i - {offset})')} = "
+               f"{polar.format(i='i', j='i')};"),
+        ))
+
+    return Function(
+        "differences",
+        "(const hobe_real *B, const hobe_real *C, hobe_real *n, hobe_real *s)",
+        "s_IJ = B_I.C_J + C_I.B_J, s_II = B_I.C_I: with B = D0 + U/2, C = U the Gram differences\n"
+        " * D_I.D_J - D0_I.D0_J without cancellation",
+        (
+            triangle("0", "0", "M", "n[{p}]"),
+            triangle("M", "M", "S", "n[NA + {p}]"),
+            loop("i", "M", For("j", "M", "S", both("s[i * (M - 1) + j - M]", "i", "j"))),
+        ))
+
+
+def _stress():
+    def product(size, q, s, sigma):
+        return loop(
+            "r", size,
+            Do("hobe_real sum = zero;"),
+            loop("c", size, Do(f"sum += {q}[r * {size} + c] * {s}[c];")),
+            Do(f"{sigma}[r] = sum;"))
+
+    return Function(
+        "stress",
+        "(const double *Qn, const double *Qs, const hobe_real *n, const hobe_real *s,\n"
+        "                          hobe_real *tn, hobe_real *ts)",
+        "sigma = Q s, the stress resultants conjugate to the Gram differences",
+        (product("NN", "Qn", "n", "tn"), product("NS", "Qs", "s", "ts")))
+
+
+def _section_force():
+    def row(first, last, entry):
+        return For("j", first, last, (
+            Do(f"const hobe_real t = {entry};"),
+            _axis3("P[3 * i + a] += t * D[3 * j + a];")))
+
+    return Function(
+        "section_force",
+        "(const hobe_real *tn, const hobe_real *ts, const hobe_real *D, hobe_real *P)",
+        "P_I = dW/dD_I = sum_J sigma_IJ D_J",
+        (
+            loop("i", "3 * S", Do("P[i] = zero;")),
+            loop("i", "M", row("0", "M", "tn[symmetric(i, j)]"),
+                 row("M", "S", "ts[i * (M - 1) + j - M]")),
+            For("i", "M", "S", (row("0", "M", "ts[j * (M - 1) + i - M]"),
+                                row("M", "S", "tn[NA + symmetric(i - M, j - M)]"))),
+        ))
+
+
+def _gather():
+    return Function(
+        "gather",
+        "(const hobe_real *q, hobe_real *x)",
+        "x[V][3] = one part of a batch, positions relative to the first node's",
+        (loop("v", "V", loop(
+            "a", "3",
+            Do("x[3 * v + a] = q[(3 * v + a) * HOBE_PARTS];"),
+            If("position[v]", (Do("x[3 * v + a] -= q[a * HOBE_PARTS];"),)))),))
+
+
+STATION = (
+    Do("const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;", free=True),
+    Do("const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;", free=True),
+)
+
+STATE = (
+    Do("section_vectors(N, Nx, x0, B);"),
+    Do("section_vectors(N, Nx, x, U);"),
+    loop("i", "3 * S", Do("B[i] += 0.5 * U[i];")),
+    Do("differences(B, U, n, s);"),
+    Do("stress(Qn, Qs, n, s, tn, ts);"),
+)
+
+CURRENT = Note("D = D0 + U"), loop("i", "3 * S", Do("B[i] += 0.5 * U[i];"))
+
+LOCALS = (
+    Do("hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];", free=True),
+    Do("hobe_real n[NN], s[NS], tn[NN], ts[NS];", free=True),
+)
+
+
+def _hand_back(source):
+    """f_v += w (N_v' P_k' + N_v P_k)."""
+    return loop(
+        "v", "V",
+        Let("k", "mode[v]"),
+        Do("const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];", free=True),
+        _axis3(f"f[(3 * v + a) * HOBE_PARTS] += cx * {source}[3 * k + a];"),
+        If("k > 0", (_axis3(f"f[(3 * v + a) * HOBE_PARTS] += c * {source}[3 * (M - 1 + k) + a];"),)))
+
+
+CLEAR_FORCE = loop("i", "3 * V", Do("f[i * HOBE_PARTS] = zero;"))
+
+
+def _force_part():
+    return Function(
+        "force_part",
+        "(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,\n"
+        "                       hobe_real *f)",
+        "f = dU/dq, eq. 27, for one part of a batch",
+        (
+            *LOCALS,
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            CLEAR_FORCE,
+            loop("g", "inv->stations", *STATION, *STATE, *CURRENT,
+                 Do("section_force(tn, ts, B, U);"), _hand_back("U")),
+        ))
+
+
+def _energy_part():
+    return Function(
+        "energy_part",
+        "(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,\n"
+        "                        hobe_real *energy)",
+        "U = sum_g w_g s.sigma/2, eq. 26",
+        (
+            *LOCALS,
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            Do("hobe_real sum = zero;"),
+            loop("g", "inv->stations", *STATION, *STATE,
+                 Do("hobe_real w = zero;"),
+                 loop("r", "NN", Do("w += n[r] * tn[r];")),
+                 loop("r", "NS", Do("w += s[r] * ts[r];")),
+                 Do("const double half = 0.5 * inv->wx[g];", free=True),
+                 Do("sum += half * w;")),
+            Do("energy[0] = sum;"),
+        ))
+
+
+def _polar():
+    return Function(
+        "polar",
+        "(const double *N, const double *Nx, const hobe_real *b, const hobe_real *c,\n"
+        "                         hobe_real *B, hobe_real *C)",
+        "section vectors of b/2 and of c",
+        (
+            Do("section_vectors(N, Nx, b, B);"),
+            Do("section_vectors(N, Nx, c, C);"),
+            loop("i", "3 * S", Do("B[i] = 0.5 * B[i];")),
+        ))
+
+
+def _trilinear_part():
+    return Function(
+        "trilinear_part",
+        "(const struct hobe_invariants *inv, const hobe_real *qa, const hobe_real *qb,\n"
+        "                           const hobe_real *qc, hobe_real *f)",
+        "f = T(a; b, c): sigma = Q s(b, c) with the polar form of the Gram entries, applied to D(a)",
+        (
+            Do("hobe_real xa[3 * V];", free=True),
+            *LOCALS,
+            Do("gather(qa, xa);"),
+            Do("gather(qb, x0);"),
+            Do("gather(qc, x);"),
+            CLEAR_FORCE,
+            loop("g", "inv->stations", *STATION,
+                 Do("polar(N, Nx, x0, x, B, U);"),
+                 Do("differences(B, U, n, s);"),
+                 Do("stress(Qn, Qs, n, s, tn, ts);"),
+                 Do("section_vectors(N, Nx, xa, B);"),
+                 Do("section_force(tn, ts, B, U);"), _hand_back("U")),
+        ))
+
+
+def _column():
+    """T_r = sum_L Q_r(JL) D_L: the change of every stress resultant with D_J."""
+
+    def product(size, q, entry, target, first, last):
+        return loop(
+            "r", size,
+            Do("hobe_real sum[3] = {zero, zero, zero};", free=True),
+            For("l", first, last, (_axis3(f"sum[a] += {q}[r * {size} + {entry}] * D[3 * l + a];"),)),
+            loop("a", "3", Do(f"{target}[3 * r + a] = sum[a];")))
+
+    return (
+        If("j < M", (product("NN", "Qn", "symmetric(j, l)", "Tn", "0", "M"),
+                     product("NS", "Qs", "j * (M - 1) + l - M", "Ts", "M", "S"))),
+        If("j >= M", (product("NN", "Qn", "NA + symmetric(j - M, l - M)", "Tn", "M", "S"),
+                      product("NS", "Qs", "l * (M - 1) + j - M", "Ts", "0", "M"))),
+    )
+
+
+def _section_stiffness():
+    def block(first, last, entry):
+        return For("l", first, last, (
+            Do(f"const int r = {entry[1]};", free=True),
+            loop("a", "3", loop("b", "3", Do(
+                f"sum[3 * a + b] += D[3 * l + a] * {entry[0]}[3 * r + b];")))))
+
+    store = (
+        loop("a", "3", Do("sum[4 * a] += t;")),
+        loop("a", "3", loop("b", "3",
+             Do("C[9 * (i * S + j) + 3 * a + b] = sum[3 * a + b];", free=True),
+             Do("C[9 * (j * S + i) + 3 * b + a] = sum[3 * a + b];", free=True))),
+    )
+    zero9 = Do("hobe_real sum[9] = {zero, zero, zero, zero, zero, zero, zero, zero, zero};",
+               free=True)
+    return Function(
+        "section_stiffness",
+        "(const double *Qn, const double *Qs, const hobe_real *tn,\n"
+        "                                     const hobe_real *ts, const hobe_real *D, hobe_real *C,"
+        " hobe_real *T)",
+        "C_IJ = d2W/dD_I dD_J = sum_K D_K T_(IK)^T + sigma_IJ 1, all S x S blocks, column by column:\n"
+        " * T_r = sum_L Q_r(JL) D_L is the change of every stress resultant with D_J",
+        (
+            Do("hobe_real *Tn = T, *Ts = T + 3 * NN;", free=True),
+            loop(
+                "j", "S",
+                *_column(),
+                For("i", "j", "S", (
+                    zero9,
+                    Do("hobe_real t = zero;", free=True),
+                    If("i < M", (
+                        Do("t = tn[symmetric(i, j)];", free=True),
+                        block("0", "M", ("Tn", "symmetric(i, l)")),
+                        block("M", "S", ("Ts", "i * (M - 1) + l - M")))),
+                    If("i >= M && j < M", (
+                        Do("t = ts[j * (M - 1) + i - M];", free=True),)),
+                    If("i >= M && j >= M", (
+                        Do("t = tn[NA + symmetric(i - M, j - M)];", free=True),)),
+                    If("i >= M", (
+                        block("0", "M", ("Ts", "l * (M - 1) + i - M")),
+                        block("M", "S", ("Tn", "NA + symmetric(i - M, l - M)")))),
+                    *store)),
+            ),
+        ))
+
+
+def _expand():
+    def add(c, i, j):
+        return loop("e", "9", Do(f"k[e * HOBE_PARTS] += {c} * C[9 * (({i}) * S + {j}) + e];"))
+
+    return Function(
+        "expand",
+        "(const double *N, const double *Nx, double w, const hobe_real *C, hobe_real *K)",
+        "K_vw += w (N_v', N_v) [C] (N_w', N_w)^T for v >= w",
+        (
+            loop("v", "V", loop(
+                "u", "v + 1",
+                Let("i", "mode[v]"),
+                Let("j", "mode[u]"),
+                Do("hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(v, u);", free=True),
+                Do("const double cxx = w * Nx[v] * Nx[u], cx = w * Nx[v] * N[u];", free=True),
+                Do("const double xc = w * N[v] * Nx[u], cc = w * N[v] * N[u];", free=True),
+                add("cxx", "i", "j"),
+                If("j > 0", (add("cx", "i", "M - 1 + j"),)),
+                If("i > 0", (add("xc", "M - 1 + i", "j"),)),
+                If("i > 0 && j > 0", (add("cc", "M - 1 + i", "M - 1 + j"),)))),
+        ))
+
+
+def _tangent_part():
+    return Function(
+        "tangent_part",
+        "(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,\n"
+        "                         hobe_real *f, hobe_real *K, hobe_real *C)",
+        "f as in force_part and K = df/dq, eq. 28; C: scratch for the section stiffness",
+        (
+            *LOCALS,
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            CLEAR_FORCE,
+            loop("i", "9 * V * (V + 1) / 2", Do("K[i * HOBE_PARTS] = zero;")),
+            loop("g", "inv->stations", *STATION, *STATE, *CURRENT,
+                 Do("section_stiffness(Qn, Qs, tn, ts, B, C, C + 9 * S * S);"),
+                 Do("expand(N, Nx, inv->wx[g], C, K);"),
+                 Do("section_force(tn, ts, B, U);"), _hand_back("U")),
+        ))

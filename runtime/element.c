@@ -1,0 +1,416 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "element.h"
+
+#include "linsolve.h"
+#include "material.h"
+#include "section.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { PAPER_STATIONS = 3 };
+
+/* Relative to what is already spanned, in the square: a section function closer to the earlier
+ * modes than this is not a new one.  w of a circle is 0; of a rectangle never less than 1e-3. */
+static const double DEPENDENT = 1e-10;
+
+/* Eigenvalues of the scaled stiffness at rest, relative to the largest: rigid motions come out
+ * below 1e-14, the softest deformation of an element 20 heights long above 1e-9. */
+static const double ZERO_EIGENVALUE = 1e-12;
+
+struct hobe_element {
+    const struct hobe_kernel *kernel;
+    const hobe_section *section;
+    enum hobe_mechanics mechanics;
+    struct hobe_invariants invariants;
+    double *numbers; /* all arrays of the invariants in one block */
+    struct hobe_rest rest;
+    unsigned char dropped[HOBE_MAX_MODES];
+};
+
+const struct hobe_kernel *hobe_find_kernel(const char *name, struct hobe_error *err)
+{
+    char known[700] = "";
+    size_t used = 0;
+    for (int i = 0; hobe_kernels[i]; i++) {
+        if (strcmp(hobe_kernels[i]->name, name) == 0)
+            return hobe_kernels[i];
+        if (used < sizeof known)
+            used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "",
+                                     hobe_kernels[i]->name);
+    }
+    hobe_fail(err, HOBE_UNKNOWN, NULL, "unknown element \"%s\"; known are %s", name, known);
+    return NULL;
+}
+
+int hobe_kernel_step(const struct hobe_kernel *kernel)
+{
+    int v = 0;
+    while (kernel->vector[v].node < kernel->nodes - 1)
+        v++;
+    return v;
+}
+
+int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int slope)
+{
+    for (int v = 0; v < kernel->vectors; v++) {
+        const struct hobe_vector *is = kernel->vector + v;
+        if (is->node == node && is->mode == mode && is->slope == slope)
+            return v;
+    }
+    return -1;
+}
+
+/* ---- preparation ---------------------------------------------------------------------------- */
+
+/* Lays the arrays of inv out in one block. */
+static enum hobe_status allocate(hobe_element *element, struct hobe_error *err)
+{
+    const struct hobe_kernel *k = element->kernel;
+    struct hobe_invariants *inv = &element->invariants;
+    const size_t G = (size_t)inv->stations, V = (size_t)k->vectors;
+    const size_t NN = (size_t)k->normals, NS = (size_t)k->shears;
+    const size_t sizes[] = {G, G, G * V, G * V, NN * NN, NS * NS, V * V};
+    double **const arrays[] = {&inv->xi, &inv->wx, &inv->N,   &inv->Nx,
+                               &inv->Qn, &inv->Qs, &inv->mass};
+    size_t total = 0;
+    for (int i = 0; i < 7; i++)
+        total += sizes[i];
+    element->numbers = hobe_alloc(total, sizeof(double), err);
+    if (!element->numbers)
+        return HOBE_NO_MEMORY;
+    double *next = element->numbers;
+    for (int i = 0; i < 7; i++) {
+        *arrays[i] = next;
+        next += sizes[i];
+    }
+    return HOBE_OK;
+}
+
+/* Marks section functions that vanish or depend on earlier modes, by Gram-Schmidt on
+ * G_kl = int phi_k phi_l dA (Cholesky factor L in place). */
+static enum hobe_status find_dropped(hobe_element *element, struct hobe_error *err)
+{
+    const struct hobe_kernel *k = element->kernel;
+    struct hobe_rule rule;
+    double G[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}}, phi[HOBE_MAX_MODES][3];
+    if (k->functions == 0)
+        return HOBE_OK; /* monomials are independent on any section */
+    if (hobe_section_rule(element->section, k, HOBE_INTEGRATION_EXACT, &rule, err))
+        return err ? err->status : HOBE_NO_MEMORY;
+    for (int p = 0; p < rule.rule.points; p++) {
+        const struct hobe_section_point *at = rule.point + p;
+        k->section_modes(at->y, at->z, at->f, phi);
+        for (int i = 0; i < k->modes; i++)
+            for (int j = 0; j <= i; j++)
+                G[i][j] += at->weight * phi[i][0] * phi[j][0];
+    }
+    hobe_rule_free(&rule);
+    for (int i = 0; i < k->modes; i++) {
+        const double norm = G[i][i];
+        for (int j = 0; j < i; j++) {
+            double sum = G[i][j];
+            for (int l = 0; l < j; l++)
+                sum -= G[i][l] * G[j][l];
+            G[i][j] = element->dropped[j] ? 0 : sum / G[j][j];
+            G[i][i] -= G[i][j] * G[i][j];
+        }
+        int function = 0;
+        for (int f = 0; f < k->functions; f++)
+            function |= strcmp(k->function[f], k->mode[i]) == 0;
+        element->dropped[i] = function && !(G[i][i] > DEPENDENT * norm && norm > 0);
+        G[i][i] = sqrt(fmax(G[i][i], 1e-300));
+    }
+    return HOBE_OK;
+}
+
+static enum hobe_status fill_invariants(hobe_element *element,
+                                        const struct hobe_element_options *options,
+                                        struct hobe_error *err)
+{
+    const int paper = options->integration == HOBE_INTEGRATION_PAPER;
+    struct hobe_invariants *inv = &element->invariants;
+    struct hobe_elasticity law;
+    struct hobe_rule rule = {0}, axis = {0};
+    double gauss[32][2];
+    inv->length = options->length;
+    inv->stations = paper ? PAPER_STATIONS : element->kernel->stations;
+    if (inv->stations > 32)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL, "element %s needs %d > 32 axial points",
+                         element->kernel->name, inv->stations);
+    enum hobe_status status = allocate(element, err);
+    if (!status)
+        status = hobe_gauss(inv->stations, gauss, err);
+    if (!status)
+        status = hobe_section_rule(options->section, element->kernel, options->integration, &rule,
+                                   err);
+    if (!status)
+        status = hobe_axis_rule(options->section, element->kernel, options->integration, &axis, err);
+    if (!status) {
+        const int on_axis = element->mechanics == HOBE_MECHANICS_AXIS;
+        hobe_material_law(&options->material, element->mechanics, &law);
+        element->kernel->invariants(inv, (const double(*)[2])gauss, &rule.rule,
+                                    on_axis ? &axis.rule : &rule.rule, &law,
+                                    options->material.rho);
+    }
+    hobe_rule_free(&rule);
+    hobe_rule_free(&axis);
+    return status;
+}
+
+/* ---- the check at rest ---------------------------------------------------------------------- */
+
+/* Eigenvalues of D K D at the reference, D = diag(K)^(-1/2), dropped modes left out. */
+static enum hobe_status rest_eigenvalues(hobe_element *element, int *count, double *eigenvalue,
+                                         struct hobe_error *err)
+{
+    const struct hobe_kernel *k = element->kernel;
+    const int n = 3 * k->vectors;
+    static const double identity[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double *q = hobe_alloc((size_t)n, sizeof *q, err);
+    double *K = hobe_alloc((size_t)(n * n), sizeof *K, err);
+    enum hobe_status status = q && K ? HOBE_OK : HOBE_NO_MEMORY;
+    if (!status) {
+        hobe_element_reference(element, identity, q);
+        status = hobe_element_tangent(element, q, q, K, err);
+    }
+    if (!status) {
+        int kept = 0;
+        for (int i = 0; i < n; i++) /* rows and columns of the modes that take part, in place */
+            if (!element->dropped[k->vector[i / 3].mode]) {
+                int column = 0;
+                for (int j = 0; j < n; j++)
+                    if (!element->dropped[k->vector[j / 3].mode])
+                        K[kept * n + column++] = K[i * n + j];
+                kept++;
+            }
+        for (int i = 0; i < kept; i++)
+            q[i] = K[i * n + i] != 0 ? 1 / sqrt(fabs(K[i * n + i])) : 1;
+        for (int i = 0; i < kept; i++)
+            for (int j = 0; j < kept; j++)
+                K[i * kept + j] = q[i] * K[i * n + j] * q[j];
+        *count = kept;
+        status = hobe_eigenvalues(kept, K, eigenvalue, err);
+    }
+    hobe_free(q);
+    hobe_free(K);
+    return status;
+}
+
+static enum hobe_status check_rest(hobe_element *element, struct hobe_error *err)
+{
+    const int n = 3 * element->kernel->vectors;
+    struct hobe_rest *rest = &element->rest;
+    int count = 0;
+    double *eigenvalue = hobe_alloc((size_t)n, sizeof *eigenvalue, err);
+    if (!eigenvalue)
+        return HOBE_NO_MEMORY;
+    enum hobe_status status = rest_eigenvalues(element, &count, eigenvalue, err);
+    if (!status) {
+        const double largest = fmax(eigenvalue[count - 1], -eigenvalue[0]);
+        rest->largest = eigenvalue[count - 1];
+        rest->smallest = largest;
+        for (int i = 0; i < count; i++) {
+            const double e = eigenvalue[i];
+            if (fabs(e) <= ZERO_EIGENVALUE * largest)
+                rest->zero++;
+            else if (e < 0)
+                rest->negative++;
+            else
+                rest->positive++;
+            if (fabs(e) > ZERO_EIGENVALUE * largest && fabs(e) < fabs(rest->smallest))
+                rest->smallest = e;
+        }
+        if (rest->negative)
+            status = hobe_fail(
+                err, HOBE_UNSTABLE, NULL,
+                "element %s with mechanics \"%s\" is unstable at rest on this section: its "
+                "stiffness has %d negative eigenvalue%s beside %d zero and %d positive ones; use "
+                "mechanics = \"average\"",
+                element->kernel->name, hobe_mechanics_name(element->mechanics), rest->negative,
+                rest->negative > 1 ? "s" : "", rest->zero, rest->positive);
+    }
+    hobe_free(eigenvalue);
+    return status;
+}
+
+/* The check depends on the element's proportions alone and a long element's softest modes drown in
+ * round-off, so that it is made on one at most 20 heights long. */
+static enum hobe_status check_at_rest(hobe_element *element,
+                                      const struct hobe_element_options *options,
+                                      struct hobe_error *err)
+{
+    struct hobe_section_properties p;
+    hobe_section_properties(options->section, &p);
+    const double longest = 20 * fmax(p.width, p.height);
+    if (options->length <= longest)
+        return check_rest(element, err);
+    hobe_element shorter = *element;
+    struct hobe_element_options proportion = *options;
+    proportion.length = longest;
+    enum hobe_status status = fill_invariants(&shorter, &proportion, err);
+    if (!status)
+        status = check_rest(&shorter, err);
+    hobe_free(shorter.numbers);
+    element->rest = shorter.rest;
+    return status;
+}
+
+/* ---- public --------------------------------------------------------------------------------- */
+
+hobe_element *hobe_element_new(const struct hobe_element_options *options, struct hobe_error *err)
+{
+    if (!(options->length > 0 && isfinite(options->length))) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL, "an element's length must be > 0 (m), got %g",
+                  options->length);
+        return NULL;
+    }
+    if (hobe_material_check(&options->material, err))
+        return NULL;
+    hobe_element *element = hobe_alloc(1, sizeof *element, err);
+    if (!element)
+        return NULL;
+    element->kernel = options->kernel;
+    element->section = options->section;
+    element->mechanics = options->mechanics ? options->mechanics
+                                            : hobe_mechanics_find(options->kernel->mechanics);
+    if (fill_invariants(element, options, err) || find_dropped(element, err) ||
+        check_at_rest(element, options, err)) {
+        hobe_element_free(element);
+        return NULL;
+    }
+    return element;
+}
+
+void hobe_element_free(hobe_element *element)
+{
+    if (element)
+        hobe_free(element->numbers);
+    hobe_free(element);
+}
+
+const struct hobe_kernel *hobe_element_kernel(const hobe_element *element)
+{
+    return element->kernel;
+}
+
+const struct hobe_invariants *hobe_element_invariants(const hobe_element *element)
+{
+    return &element->invariants;
+}
+
+enum hobe_mechanics hobe_element_mechanics(const hobe_element *element)
+{
+    return element->mechanics;
+}
+
+void hobe_element_rest(const hobe_element *element, struct hobe_rest *rest)
+{
+    *rest = element->rest;
+}
+
+const unsigned char *hobe_element_dropped(const hobe_element *element)
+{
+    return element->dropped;
+}
+
+void hobe_element_reference(const hobe_element *element, const double frame[3][3], double *q0)
+{
+    const struct hobe_kernel *k = element->kernel;
+    for (int v = 0; v < k->vectors; v++) {
+        const struct hobe_vector *is = k->vector + v;
+        const double x = k->node[is->node] * element->invariants.length;
+        for (int a = 0; a < 3; a++) {
+            double value = 0; /* modes beyond 1, y, z vanish at rest */
+            if (is->mode == 0)
+                value = (is->slope ? 1 : x) * frame[0][a];
+            else if (is->mode <= 2 && !is->slope)
+                value = frame[is->mode][a];
+            q0[3 * v + a] = value;
+        }
+    }
+}
+
+/* One element in the first lane of a batch, the others at rest. */
+struct single {
+    hobe_lanes *q0, *u, *f, *K, *scratch;
+};
+
+static void single_free(struct single *s)
+{
+    hobe_free(s->q0);
+}
+
+static enum hobe_status single_new(const hobe_element *element, const double *q0, const double *q,
+                                   struct single *s, struct hobe_error *err)
+{
+    const size_t V = (size_t)element->kernel->vectors, blocks = 9 * V * (V + 1) / 2;
+    *s = (struct single){0};
+    s->q0 = hobe_alloc(9 * V + blocks + element->kernel->scratch, sizeof(hobe_lanes), err);
+    if (!s->q0)
+        return HOBE_NO_MEMORY;
+    s->u = s->q0 + 3 * V;
+    s->f = s->u + 3 * V;
+    s->K = s->f + 3 * V;
+    s->scratch = s->K + blocks;
+    for (size_t i = 0; i < 3 * V; i++) {
+        for (int e = 0; e < HOBE_LANES; e++)
+            s->q0[i][e] = q0[i];
+        s->u[i][0] = q[i] - q0[i];
+    }
+    return HOBE_OK;
+}
+
+enum hobe_status hobe_element_energy(const hobe_element *element, const double *q0,
+                                     const double *q, double *U, struct hobe_error *err)
+{
+    struct single s;
+    if (single_new(element, q0, q, &s, err))
+        return HOBE_NO_MEMORY;
+    element->kernel->energy(&element->invariants, s.q0, s.u, s.f);
+    *U = s.f[0][0];
+    single_free(&s);
+    return HOBE_OK;
+}
+
+enum hobe_status hobe_element_force(const hobe_element *element, const double *q0, const double *q,
+                                    double *f, struct hobe_error *err)
+{
+    struct single s;
+    if (single_new(element, q0, q, &s, err))
+        return HOBE_NO_MEMORY;
+    element->kernel->force(&element->invariants, s.q0, s.u, s.f, s.scratch);
+    for (int i = 0; i < 3 * element->kernel->vectors; i++)
+        f[i] = s.f[i][0];
+    single_free(&s);
+    return HOBE_OK;
+}
+
+enum hobe_status hobe_element_tangent(const hobe_element *element, const double *q0,
+                                      const double *q, double *K, struct hobe_error *err)
+{
+    const int V = element->kernel->vectors, n = 3 * V;
+    struct single s;
+    if (single_new(element, q0, q, &s, err))
+        return HOBE_NO_MEMORY;
+    element->kernel->tangent(&element->invariants, s.q0, s.u, s.f, s.K, s.scratch);
+    for (int v = 0; v < V; v++)
+        for (int w = 0; w <= v; w++)
+            for (int e = 0; e < 9; e++) {
+                const int i = 3 * v + e / 3, j = 3 * w + e % 3;
+                K[i * n + j] = K[j * n + i] = s.K[9 * hobe_pair(v, w) + e][0];
+            }
+    single_free(&s);
+    return HOBE_OK;
+}
+
+void hobe_element_mass(const hobe_element *element, double *M)
+{
+    const int V = element->kernel->vectors, n = 3 * V;
+    memset(M, 0, (size_t)(n * n) * sizeof *M);
+    for (int v = 0; v < V; v++)
+        for (int w = 0; w < V; w++)
+            for (int a = 0; a < 3; a++)
+                M[(3 * v + a) * n + 3 * w + a] = element->invariants.mass[v * V + w];
+}

@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* hobe: a nonlinear beam solver with warping.  The public interface of the C library.
+ *
+ * Build a model from beams, supports and loads; solve it; ask for results anywhere in a beam:
+ *
+ *     struct hobe_error err;
+ *     hobe_section *section = hobe_section_rectangle(0.1, 0.2, HOBE_WARPING_SERIES, &err);
+ *     hobe_model *model = hobe_model_new(&err);
+ *     hobe_model_beam(model, &(struct hobe_beam){...}, &err);
+ *     hobe_model_clamp(model, &(struct hobe_clamp){...}, &err);
+ *     hobe_model_force(model, &(struct hobe_force){...}, &err);
+ *     hobe_static(model, &(struct hobe_newton){0}, &solution, &err);
+ *
+ * SI units throughout; angles in radians.  The library prints nothing, knows no Lua, and copies
+ * what it is given unless it says otherwise.  `where` tags are kept by pointer and handed back in
+ * hobe_error.where: they must outlive the model, and may be NULL. */
+#ifndef HOBE_H
+#define HOBE_H
+
+#include "error.h"
+#include "kernel.h"
+
+#define HOBE_VERSION "0.1.0"
+
+/* ---- sections (section.c) ------------------------------------------------------------------- */
+
+enum hobe_warping {
+    HOBE_WARPING_SERIES, /* Saint-Venant's function, the series summed to convergence (default) */
+    HOBE_WARPING_PAPER   /* the paper's closed form: one term of eq. 33 */
+};
+
+/* A cross-section: y to the left, z up, both from the centroid, seen along +x. */
+typedef struct hobe_section hobe_section;
+
+struct hobe_section_properties {
+    double A;             /* m^2 */
+    double Iyy, Izz, Iyz; /* int z^2 dA, int y^2 dA, int y z dA, m^4 */
+    double J;             /* Saint-Venant's torsion constant (exact), m^4 */
+    double J_w;           /* torsion constant with this warping function, m^4: J_w >= J */
+    double Iw;            /* warping constant, int w^2 dA, m^6 */
+    double width, height; /* extent along y and z, m */
+};
+
+/* A rectangle, width along y and height along z, m, both > 0.  NULL and err set on bad sizes. */
+hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,
+                                     struct hobe_error *err);
+void hobe_section_free(hobe_section *section);
+void hobe_section_properties(const hobe_section *section, struct hobe_section_properties *p);
+
+/* One line about the section and its warping function, for reports. */
+const char *hobe_section_text(const hobe_section *section);
+
+/* Values of the section function `name` at (y, z): f[3] = f, df/dy, df/dz.  HOBE_UNKNOWN when the
+ * section has no such function. */
+enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
+                                       double z, double *f, struct hobe_error *err);
+
+/* ---- materials (material.c) ----------------------------------------------------------------- */
+
+struct hobe_material {
+    double E;      /* Young's modulus, Pa, > 0 */
+    double nu;     /* Poisson's ratio, -1 < nu < 1/2 */
+    double rho;    /* density, kg/m^3, >= 0 (0 where no mass is needed) */
+    double k2, k3; /* shear correction factors on xz and xy (eq. 20), > 0; 1 where none is wanted */
+};
+
+enum hobe_mechanics {
+    HOBE_MECHANICS_DEFAULT, /* what the element declares */
+    HOBE_MECHANICS_AVERAGE, /* Poisson coupling of the section-averaged strain */
+    HOBE_MECHANICS_AXIS,    /* Poisson coupling on the axis: the paper's eq. 26 */
+    HOBE_MECHANICS_FULL     /* unsplit continuum mechanics */
+};
+const char *hobe_mechanics_name(enum hobe_mechanics mechanics);
+
+enum hobe_integration {
+    HOBE_INTEGRATION_EXACT, /* full quadrature of the exact warping function */
+    HOBE_INTEGRATION_PAPER  /* 3 x 3 x 3 Gauss points and one term of eq. 33 */
+};
+
+/* ---- elements (element.c) ------------------------------------------------------------------- */
+
+/* The kernel called name, or NULL with err listing the known ones. */
+const struct hobe_kernel *hobe_find_kernel(const char *name, struct hobe_error *err);
+
+/* One element prepared for evaluation: kernel, invariants, reference. */
+typedef struct hobe_element hobe_element;
+
+struct hobe_element_options {
+    const struct hobe_kernel *kernel;
+    const hobe_section *section; /* must outlive the element */
+    struct hobe_material material;
+    double length; /* m, > 0 */
+    enum hobe_mechanics mechanics;
+    enum hobe_integration integration;
+};
+
+/* NULL and err set on bad values (HOBE_BAD_INPUT) or a law that is indefinite at rest
+ * (HOBE_UNSTABLE, with the inertia named). */
+hobe_element *hobe_element_new(const struct hobe_element_options *options, struct hobe_error *err);
+void hobe_element_free(hobe_element *element);
+
+const struct hobe_kernel *hobe_element_kernel(const hobe_element *element);
+const struct hobe_invariants *hobe_element_invariants(const hobe_element *element);
+enum hobe_mechanics hobe_element_mechanics(const hobe_element *element);
+
+/* How the stiffness at rest stands: what the check in hobe_element_new saw. */
+struct hobe_rest {
+    int zero, negative, positive; /* eigenvalues of the scaled free-free stiffness of one element */
+    double smallest, largest;     /* its extreme nonzero eigenvalues, dimensionless */
+};
+void hobe_element_rest(const hobe_element *element, struct hobe_rest *rest);
+
+/* Modes of the kernel that vanish on this section or depend on earlier ones, and are held at zero:
+ * dropped[kernel->modes], 1 where so. */
+const unsigned char *hobe_element_dropped(const hobe_element *element);
+
+/* Reference nodal vectors with the first node at the origin: q0[vectors][3], for axes
+ * frame[3] = e_x, e_y, e_z (rows). */
+void hobe_element_reference(const hobe_element *element, const double frame[3][3], double *q0);
+
+/* One element's quantities at absolute nodal vectors q[vectors][3]; q0 of the same shape.
+ * f[3 * vectors], K and M full, row-major [3 * vectors][3 * vectors]. */
+enum hobe_status hobe_element_energy(const hobe_element *element, const double *q0, const double *q,
+                                     double *U, struct hobe_error *err);
+enum hobe_status hobe_element_force(const hobe_element *element, const double *q0, const double *q,
+                                    double *f, struct hobe_error *err);
+enum hobe_status hobe_element_tangent(const hobe_element *element, const double *q0,
+                                      const double *q, double *K, struct hobe_error *err);
+void hobe_element_mass(const hobe_element *element, double *M);
+
+/* ---- model (model.c) ------------------------------------------------------------------------ */
+
+typedef struct hobe_model hobe_model;
+
+struct hobe_beam {
+    const char *where;
+    const char *name; /* unique in the model */
+    const struct hobe_kernel *kernel;
+    int elements;                /* >= 1 */
+    const hobe_section *section; /* must outlive the model */
+    struct hobe_material material;
+    double from[3], to[3]; /* ends of the axis, m */
+    double up[3]; /* direction the section's z axis points to (made normal to the axis); {0,0,0}:
+                     global Z, or global -X for a beam along Z */
+    enum hobe_mechanics mechanics;
+    enum hobe_integration integration;
+};
+
+/* Supports and loads name a beam and a place `at` in [0,1] along its axis. */
+struct hobe_clamp {
+    const char *where, *beam;
+    double at;        /* must be a node of the beam with a position */
+    int free_warping; /* 1: only r and the slopes x, y, z are held; further modes stay free */
+};
+struct hobe_force {
+    const char *where, *beam;
+    double at;
+    double value[3]; /* N, global axes; follower: components in the section's initial axes... */
+    int follower;    /* ...i.e. the given global vector turns with the section */
+};
+struct hobe_moment { /* conservative; potential sum_a M_a sum_s w_as angle of slope s about axis a
+                      */
+    const char *where, *beam;
+    double at;
+    double value[3]; /* N m about the global axes */
+};
+struct hobe_join { /* ends of two parallel beams that share a node */
+    const char *where, *beam[2];
+    double at[2]; /* 0 or 1 */
+};
+
+hobe_model *hobe_model_new(struct hobe_error *err);
+void hobe_model_free(hobe_model *model);
+
+/* Each adds a copy of one item; names are resolved by hobe_model_build. */
+enum hobe_status hobe_model_beam(hobe_model *, const struct hobe_beam *, struct hobe_error *);
+enum hobe_status hobe_model_clamp(hobe_model *, const struct hobe_clamp *, struct hobe_error *);
+enum hobe_status hobe_model_force(hobe_model *, const struct hobe_force *, struct hobe_error *);
+enum hobe_status hobe_model_moment(hobe_model *, const struct hobe_moment *, struct hobe_error *);
+enum hobe_status hobe_model_join(hobe_model *, const struct hobe_join *, struct hobe_error *);
+/* Gravity, m/s^2 in global axes, on every beam; repeated calls add up. */
+enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
+                                    struct hobe_error *);
+
+/* Checks the model and does everything that is done once: invariants, numbering, sparsity and
+ * scatter maps, symbolic factorisation.  hobe_static calls it when it has not been called. */
+enum hobe_status hobe_model_build(hobe_model *model, struct hobe_error *err);
+
+struct hobe_model_info {
+    int beams, elements;
+    long vectors;  /* nodal vectors, held ones included */
+    long unknowns; /* scalar unknowns solved for */
+    long nonzeros; /* of the tangent stiffness */
+    double setup;  /* s, spent in hobe_model_build */
+};
+void hobe_model_info(const hobe_model *model, struct hobe_model_info *info);
+
+/* What the next owner of the results should know: dropped modes, spurious zero-energy modes, ...
+ * The i-th sentence, or NULL past the last.  Owned by the model. */
+const char *hobe_model_note(const hobe_model *model, int i);
+
+/* ---- statics (newton.c) --------------------------------------------------------------------- */
+
+struct hobe_iteration { /* what a log line shows */
+    int step, iteration;
+    double load;      /* load factor this step aims at, 0..1 */
+    double residual;  /* scaled residual norm over that of the load */
+    double energy;    /* |du . r| over its first value in the step */
+    double line;      /* line-search factor taken */
+    const char *note; /* "" or what happened: "converged", "cut back", ... */
+};
+
+struct hobe_newton {
+    int steps;            /* load steps to begin with; 0: 1 */
+    int max_iterations;   /* in a step; 0: 30 */
+    double tolerance;     /* on `residual`; 0: 1e-9 */
+    double smallest_step; /* of the load factor, below which the solve is given up; 0: 1e-4 */
+    int no_line_search;
+    void (*log)(void *context, const struct hobe_iteration *iteration); /* may be NULL */
+    void *context;
+};
+
+typedef struct hobe_solution hobe_solution;
+
+struct hobe_solution_info {
+    int steps, iterations, cutbacks, factorisations;
+    double load;     /* load factor reached: 1 */
+    double residual; /* of the last iteration */
+    double energy;   /* strain energy, J */
+    double
+        smallest_volume; /* min det F over the stations of all elements and the section's corners */
+    double seconds;      /* in hobe_static without set-up */
+};
+
+/* Static equilibrium under all loads of the model from its reference.  On success *solution is
+ * owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says how
+ * far the load got and what to try. */
+enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
+                             hobe_solution **solution, struct hobe_error *err);
+void hobe_solution_free(hobe_solution *solution);
+void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info);
+
+/* ---- results (result.c) --------------------------------------------------------------------- */
+
+struct hobe_point {
+    double r[3], r0[3]; /* position now and in the reference, m; displacement r - r0 is u */
+    double u[3];        /* displacement, m, with the digits that r - r0 would lose */
+    double F[3][3];     /* deformation gradient to the global axes, columns dr/dx, dr/dy, dr/dz */
+    double strain[6];   /* Green-Lagrange, Voigt xx, yy, zz, 2yz, 2xz, 2xy, section axes */
+    double rotation[3]; /* rotation vector of the section, rad, global axes */
+    double twist;       /* atan2(-r_z.Y, r_z.Z), Y, Z the section's axes in the reference, rad */
+};
+
+/* Everything at the place (at, y, z) of a beam: at in [0,1]; y, z in m from the centroid. */
+enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *beam, double at,
+                                     double y, double z, struct hobe_point *point,
+                                     struct hobe_error *err);
+
+/* The i-th beam's name in the order added, or NULL past the last. */
+const char *hobe_model_beam_name(const hobe_model *model, int i);
+
+#endif

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The kernel ABI: the only header that generated code includes.
+ *
+ * A beam element is *axial functions* times *section modes*:
+ *
+ *     r(x,y,z) = sum_k phi_k(y,z) d_k(x),      d_k(x) = sum_v N_v(x) q_v,   k = mode of v,
+ *
+ * with nodal vectors q_v in R^3.  Of the M modes phi, phi_0 = 1.  The strain at a point of the
+ * section depends on x only through the Gram matrix of the 2M-1 *section vectors*
+ *
+ *     D = (d_0', ..., d_{M-1}', d_1, ..., d_{M-1})            (d_0 itself never enters),
+ *
+ * so the energy per length is an exact quadratic form in the Gram differences from the reference
+ *
+ *     s_IJ = D_I.D_J - D0_I.D0_J  (I < J),     s_II = (D_I.D_I - D0_I.D0_I)/2,
+ *
+ * whose matrix holds every integral over the section (the H-tensor integrals of Tang, Tian & Hu
+ * 2022, eqs. 27-28, factored into axis and section).  The Gram entries split into a *normal* block
+ * (prime-prime and value-value pairs: eps_xx, eps_yy, eps_zz, 2 eps_yz) and a *shear* block
+ * (prime-value pairs: 2 eps_xy, 2 eps_xz), which an isotropic law does not couple.
+ *
+ * Differences are formed from displacements u = q - q0, not from positions, so that a small strain
+ * keeps its digits and a beam far from the origin loses none.
+ *
+ * Arrays named `[..][HOBE_LANES]` or of type hobe_lanes hold one number for each of eight elements
+ * (structure of arrays).  Elements of a batch share one hobe_invariants; spare lanes may hold
+ * anything finite.  The caller owns all memory, and every array of hobe_lanes is aligned to
+ * sizeof(hobe_lanes).  Kernels call no library, own no memory and keep no state.
+ */
+#ifndef HOBE_KERNEL_H
+#define HOBE_KERNEL_H
+
+#include <stddef.h>
+
+/* Raised whenever anything below changes its meaning; generated files check it. */
+#define HOBE_KERNEL_ABI 1
+
+enum {
+    HOBE_LANES = 8,         /* elements in a batch */
+    HOBE_MAX_FUNCTIONS = 8, /* section functions (warping functions etc.) an element may use */
+    HOBE_MAX_MODES = 24     /* section modes of an element */
+};
+
+typedef double hobe_lanes __attribute__((vector_size(8 * sizeof(double))));
+
+/* The index of the Gram pair (i, j), i >= j, in a packed lower triangle; the same rule numbers the
+ * 3 x 3 blocks of a tangent stiffness. */
+static inline int hobe_pair(int i, int j)
+{
+    return i * (i + 1) / 2 + j;
+}
+
+/* One point of a section rule. */
+struct hobe_section_point {
+    double y, z;                     /* m, from the centroid */
+    double weight;                   /* m^2 */
+    double f[HOBE_MAX_FUNCTIONS][3]; /* section functions the element names: f, df/dy, df/dz */
+};
+
+/* A cubature rule over a section: integral of g dA = sum of weight * g(point). */
+struct hobe_section_rule {
+    int points;
+    const struct hobe_section_point *point; /* [points] */
+};
+
+/* The elastic law per length of beam (Tang et al. 2022, eq. 26),
+ *
+ *     W = 1/2 int eps:C:eps dA  +  1/2 A  mean(eps):C_mean:mean(eps),
+ *
+ * where mean() is the weighted mean over a second rule: the whole section (mechanics `average`),
+ * or the axis alone (mechanics `axis`, the paper's selective integration).
+ * Normal order xx, yy, zz; shear order yz, xz, xy, conjugate to engineering strains 2 eps.  Pa. */
+struct hobe_elasticity {
+    double normal[3][3], shear[3];           /* C:      acts at each point */
+    double mean_normal[3][3], mean_shear[3]; /* C_mean: acts on the mean strain, with area A */
+};
+
+/* All integrals of an element's energy that do not depend on its state.  The arrays belong to the
+ * caller; `hobe_kernel.invariants` fills them.  One set serves every element of equal length,
+ * section, material and mechanics. */
+struct hobe_invariants {
+    double length; /* m */
+    int stations;  /* axial integration points */
+    double *xi;    /* [stations]             their positions in [0,1] */
+    double *wx;    /* [stations]             their weights times length, m */
+    double *N;     /* [stations][vectors]    axial functions N_v */
+    double *Nx;    /* [stations][vectors]    dN_v/dx, 1/m */
+    double *Qn;    /* [..][normals][normals] dW = 1/2 s'Q s, normal block; 1 or `stations` blocks */
+    double *Qs;    /* [..][shears][shears]   shear block */
+    ptrdiff_t step_n, step_s; /* from a station's block to the next: 0 for a prismatic element */
+    double *mass;             /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
+};
+
+/* What a nodal vector is: the node it sits on, the mode it multiplies, and whether it is the value
+ * of d_k there or its derivative d d_k/dx. */
+struct hobe_vector {
+    unsigned char node, mode, slope;
+};
+
+struct hobe_kernel {
+    int abi;                   /* HOBE_KERNEL_ABI of the generator that wrote it */
+    const char *name;          /* "MGD30w" */
+    const char *hash;          /* of the declaration */
+    const char *source;        /* where the element was published */
+    const char *mechanics;     /* default elastic law: "average", "axis" or "full" */
+    int nodes, vectors, modes; /* sizes; 3 * vectors degrees of freedom */
+    int functions;             /* section functions among the modes */
+    int stations;              /* Gauss points on the axis that integrate the energy exactly */
+    int degree;                /* of the section polynomials; the energy has 4 * degree */
+    int normals, shears;       /* sizes of the Gram blocks: M^2 and M(M-1) */
+    long flops_force,
+        flops_tangent;  /* per element and call, counted by the generator, at `stations` */
+    size_t scratch;     /* hobe_lanes the caller provides to force and tangent */
+    const double *node; /* [nodes]     node positions xi */
+    const struct hobe_vector *vector; /* [vectors]  in the order of the degrees of freedom */
+    const char *const *mode;          /* [modes]    names: "1", "y", "z", "w", "yy", ... */
+    const char *const *function;      /* [functions] names of the section functions, "w" first */
+
+    /* Axial functions and their x-derivatives at xi in [0,1] of an element of the given length:
+     * N[vectors], Nx[vectors] (1/m). */
+    void (*shape)(double xi, double length, double *N, double *Nx);
+
+    /* Section modes at (y, z): phi[modes][3] = phi, d phi/dy, d phi/dz.  f as in
+     * hobe_section_point, only read where the element names section functions. */
+    void (*section_modes)(double y, double z, const double (*f)[3], double (*phi)[3]);
+
+    /* Fills inv (arrays owned by the caller, sizes as above) from a section rule, the rule that
+     * means the strain, and the elastic law; density in kg/m^3.  inv->length and inv->stations
+     * are set by the caller; gauss[stations][2] holds positions and weights on [0,1].  The mass
+     * matrix is integrated exactly whatever the rule on the axis. */
+    void (*invariants)(struct hobe_invariants *inv, const double (*gauss)[2],
+                       const struct hobe_section_rule *rule, const struct hobe_section_rule *mean,
+                       const struct hobe_elasticity *law, double density);
+
+    /* Strain energy of a batch, J.  q0: reference nodal vectors, u: displacements from it, both
+     * [vectors][3][HOBE_LANES]; U[HOBE_LANES].  Only differences of the centreline's positions
+     * matter, in u as in q0. */
+    void (*energy)(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                   hobe_lanes *U);
+
+    /* Elastic force +dU/dq (eq. 27 with the sign of eq. 29): f[vectors][3][HOBE_LANES], N or N m,
+     * overwritten. */
+    void (*force)(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                  hobe_lanes *f, hobe_lanes *scratch);
+
+    /* Force as above and tangent stiffness (eq. 28): the lower triangle in 3 x 3 blocks,
+     * K[hobe_pair(v,w)][3][3][HOBE_LANES], v >= w, diagonal blocks in full; overwritten. */
+    void (*tangent)(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch);
+
+    /* The cubic force in multilinear form: f = T(a; b, c), linear in each and symmetric in b, c,
+     * so that force(q) = T(q; q, q) - T(q; q0, q0).  Path series and reduced models start here.
+     * Arguments as in force, absolute positions up to a common translation of each. */
+    void (*trilinear)(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
+                      const hobe_lanes *c, hobe_lanes *f, hobe_lanes *scratch);
+
+    /* Green-Lagrange strain at a point of one element, from N, Nx of `shape` and phi of
+     * `section_modes`; q0, u: [vectors][3].  E in Voigt order xx, yy, zz, 2yz, 2xz, 2xy. */
+    void (*strain)(const double *N, const double *Nx, const double (*phi)[3], const double *q0,
+                   const double *u, double *E);
+};
+
+/* The elements built in, in the order of the declarations' names; ends with NULL. */
+extern const struct hobe_kernel *const hobe_kernels[];
+
+/* ---- for generated code only ---------------------------------------------------------------- */
+
+/* A register's worth of lanes.  A kernel works through a batch in HOBE_PARTS passes, each on values
+ * that fit the machine's registers; pass h of item i sits at index i * HOBE_PARTS + h. */
+#ifdef __AVX2__
+typedef double hobe_real __attribute__((vector_size(4 * sizeof(double)), may_alias));
+#else
+typedef double hobe_real __attribute__((vector_size(2 * sizeof(double)), may_alias));
+#endif
+enum { HOBE_PARTS = sizeof(hobe_lanes) / sizeof(hobe_real) };
+
+#endif

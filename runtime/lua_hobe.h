@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the rooms of the Lua face share: the context of a Lua state, errors with file and line, the
+ * lists of what the module offers.  Only lua_*.c and main.c include this. */
+#ifndef HOBE_LUA_HOBE_H
+#define HOBE_LUA_HOBE_H
+
+#include "hobe.h"
+#include "lua_schema.h"
+#include "output.h"
+
+#include <lauxlib.h>
+#include <lua.h>
+#include <stdio.h>
+
+/* ---- what the module offers (each room has its list) ---------------------------------------- */
+
+/* One function or method: code and reference text in one record. */
+struct hobe_lua_entry {
+    const char *name; /* NULL ends a list */
+    lua_CFunction function;
+    const char *usage;                    /* as it is called */
+    const char *doc;                      /* Markdown */
+    const struct hobe_lua_schema *schema; /* of its table of arguments, or NULL */
+};
+
+extern const struct hobe_lua_entry hobe_lua_scene_entries[];  /* lua_scene.c */
+extern const struct hobe_lua_entry hobe_lua_item_entries[];   /* lua_item.c */
+extern const struct hobe_lua_entry hobe_lua_solve_entries[];  /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_result_methods[]; /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_kernel_entries[]; /* lua_kernel.c */
+extern const struct hobe_lua_entry hobe_lua_kernel_methods[]; /* lua_kernel.c */
+extern const struct hobe_lua_entry hobe_lua_report_entries[]; /* lua_report.c */
+extern const struct hobe_lua_entry hobe_lua_figure_entries[]; /* lua_figure.c */
+
+/* Sets the functions of a list in the table on top of the stack. */
+void hobe_lua_add_entries(lua_State *L, const struct hobe_lua_entry *entry);
+
+/* ---- the context ---------------------------------------------------------------------------- */
+
+/* A file that waits for the end of the run. */
+struct hobe_lua_file {
+    struct hobe_lua_file *next;
+    struct hobe_text text;
+    char *script; /* of a picture: the gnuplot script that draws `name`; no text then */
+    char name[];
+};
+
+/* One per Lua state, in its registry; freed with it. */
+struct hobe_lua {
+    int program;        /* in the hobe program results wait for the end of the run, so that a run
+                           that fails leaves none; in a stock Lua they appear at once */
+    int log;            /* print Newton's log on stderr */
+    int progress;       /* stderr is a terminal: show how far a solve is */
+    const char *folder; /* for results, or NULL: no files; kept by the caller */
+    int solves;         /* calls of a solver verb so far */
+    int overridden;     /* some parameter is not at its default */
+    struct hobe_text tables; /* tables for stdout */
+    struct hobe_text newton; /* the log of all solves as CSV */
+    struct hobe_lua_file *file;
+};
+
+struct hobe_lua *hobe_lua_context(lua_State *L);
+
+/* Tables that belong to the context. */
+enum hobe_lua_store {
+    HOBE_LUA_OVERRIDES = 1, /* parameter -> text from the command line */
+    HOBE_LUA_PARAMETERS,    /* parameter -> default */
+    HOBE_LUA_REPORT,        /* name -> {value, unit, expect, within, where} */
+    HOBE_LUA_NOTES,         /* lines for people, in order and as keys */
+    HOBE_LUA_KEPT,          /* strings that C points to */
+    HOBE_LUA_STORES = HOBE_LUA_KEPT
+};
+void hobe_lua_push_store(lua_State *L, enum hobe_lua_store store);
+
+/* Remembers a line that people should see with the results; the same line only once. */
+void hobe_lua_note(lua_State *L, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* ---- files for the end of the run ----------------------------------------------------------- */
+
+/* A text that will become the file `name` in the output folder; owned by the context.  Raises on a
+ * bad name, and where the name is taken unless `again` allows to begin it anew. */
+struct hobe_text *hobe_lua_stage(lua_State *L, const char *name, int again);
+
+/* The staged file, or NULL. */
+struct hobe_lua_file *hobe_lua_staged(lua_State *L, const char *name);
+
+/* Has the picture `name` drawn by the staged gnuplot script once the files are written. */
+void hobe_lua_stage_picture(lua_State *L, const char *name, const char *script);
+
+/* Writes all staged files, draws the pictures, and forgets them. */
+void hobe_lua_write_files(lua_State *L);
+
+/* ---- errors --------------------------------------------------------------------------------- */
+
+/* Pushes "file:line" of the innermost Lua function that is running, or "". */
+void hobe_lua_where(lua_State *L);
+
+/* Raise an error, the place in front: with a format of lua_pushfstring; from err, whose own
+ * `where` goes before the place of the call. */
+int hobe_lua_fail(lua_State *L, const char *format, ...);
+int hobe_lua_raise(lua_State *L, const struct hobe_error *err);
+
+/* Raises when a text of ours is incomplete for want of memory. */
+void hobe_lua_check_text(lua_State *L, const struct hobe_text *text);
+
+/* ---- run, from main.c ----------------------------------------------------------------------- */
+
+/* The module: what `require "hobe"` gives. */
+int luaopen_hobe(lua_State *L);
+
+/* Raises when an override was never asked for by hobe.param. */
+void hobe_lua_check_overrides(lua_State *L);
+
+enum hobe_lua_format { HOBE_LUA_TABLE, HOBE_LUA_JSON, HOBE_LUA_CSV };
+
+/* The end of a run: writes the files, then the report to `to`.  Returns 1, with a sentence on top
+ * of the stack, when a value missed its expectation, else 0. */
+int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to);
+
+/* Writes the reference of the Lua module as Markdown. */
+void hobe_lua_print_docs(FILE *to);
+
+/* ---- limits and sandbox (lua_limits.c, lua_sandbox.c) --------------------------------------- */
+
+/* A Lua state for the program whose memory ends at `bytes`, or NULL; 0: no limit.  One a process.
+ * A script that asks for more ends the process with a sentence. */
+lua_State *hobe_lua_new_state(size_t bytes);
+
+/* Starts the clock: the script in file `name` may spend `seconds` (of processor time) in Lua. */
+void hobe_lua_start_clock(lua_State *L, const char *name, double seconds);
+
+/* Around the work of a solver verb, which is not Lua's time.  No Lua error may be raised between
+ * the two.  Nothing happens where no clock was started. */
+void hobe_lua_pause_clock(void);
+void hobe_lua_resume_clock(void);
+
+/* Remembers the running line, for the sentence about a limit that is met inside a C function. */
+void hobe_lua_mark_place(lua_State *L);
+
+/* Opens the safe part of the standard libraries and puts nothing else within reach. */
+void hobe_lua_open_sandbox(lua_State *L);
+
+#endif

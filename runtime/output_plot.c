@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Pictures: numbers as CSV, a gnuplot script beside them, and gnuplot run on it. */
+#define _GNU_SOURCE
+#include "output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* ---- data and script ------------------------------------------------------------------------ */
+
+void hobe_plot_data(struct hobe_text *text, const struct hobe_plot *plot)
+{
+    size_t rows = 0;
+    for (size_t k = 0; k < plot->count; k++) {
+        const struct hobe_series *series = &plot->series[k];
+        hobe_text_bytes(text, k > 0 ? ",x," : "x,", k > 0 ? 3 : 2);
+        hobe_text_csv(text, series->label ? series->label : "y");
+        if (series->count > rows)
+            rows = series->count;
+    }
+    hobe_text_bytes(text, "\n", 1);
+    for (size_t i = 0; i < rows; i++) {
+        for (size_t k = 0; k < plot->count; k++) {
+            const struct hobe_series *series = &plot->series[k];
+            hobe_text_bytes(text, ",", k > 0);
+            if (i < series->count)
+                hobe_text_number(text, series->x[i]);
+            hobe_text_bytes(text, ",", 1);
+            if (i < series->count)
+                hobe_text_number(text, series->y[i]);
+        }
+        hobe_text_bytes(text, "\n", 1);
+    }
+}
+
+/* A string of gnuplot in single quotes, within which only the quote itself means anything.  A
+ * control character would end the line and start a command: it becomes a blank. */
+static void quote(struct hobe_text *text, const char *string)
+{
+    hobe_text_bytes(text, "'", 1);
+    for (const char *c = string; *c; c++) {
+        int control = (unsigned char)*c < ' ' || *c == 127;
+        hobe_text_bytes(text, control ? " " : c, 1);
+        if (*c == '\'')
+            hobe_text_bytes(text, c, 1);
+    }
+    hobe_text_bytes(text, "'", 1);
+}
+
+/* The extent of all points: box[0..1] in x, box[2..3] in y. */
+static void extent(const struct hobe_plot *plot, double *box)
+{
+    int first = 1;
+    for (size_t k = 0; k < plot->count; k++) {
+        for (size_t i = 0; i < plot->series[k].count; i++, first = 0) {
+            double x = plot->series[k].x[i], y = plot->series[k].y[i];
+            box[0] = first || x < box[0] ? x : box[0];
+            box[1] = first || x > box[1] ? x : box[1];
+            box[2] = first || y < box[2] ? y : box[2];
+            box[3] = first || y > box[3] ? y : box[3];
+        }
+    }
+}
+
+/* The legend's place: the corner with the fewest points, or outside where it is long. */
+static const char *legend(const struct hobe_plot *plot)
+{
+    static const char *const corner[] = {"right top", "left top", "right bottom", "left bottom"};
+    size_t points[4] = {0}, best = 0;
+    double box[4] = {0};
+    if (plot->count > 6)
+        return "outside right top";
+    extent(plot, box);
+    for (size_t k = 0; k < plot->count; k++) {
+        for (size_t i = 0; i < plot->series[k].count; i++) {
+            double x = plot->series[k].x[i] - box[0], y = plot->series[k].y[i] - box[2];
+            int left = x<0.4 * (box[1] - box[0]), right = x> 0.6 * (box[1] - box[0]);
+            int bottom = y<0.4 * (box[3] - box[2]), top = y> 0.6 * (box[3] - box[2]);
+            if ((left || right) && (bottom || top))
+                points[2 * bottom + left]++;
+        }
+    }
+    for (size_t c = 1; c < 4; c++)
+        best = points[c] < points[best] ? c : best;
+    return corner[best];
+}
+
+static void add_label(struct hobe_text *text, const char *what, const char *label)
+{
+    if (!label || !*label)
+        return;
+    hobe_text_add(text, "set %s ", what);
+    quote(text, label);
+    hobe_text_add(text, " noenhanced\n");
+}
+
+static void add_series(struct hobe_text *text, const struct hobe_plot *plot, size_t k,
+                       const char *data)
+{
+    static const char *const style[] = {"lines lw 2", "points ps 1.4", "linespoints lw 2 ps 1.2"};
+    const struct hobe_series *series = &plot->series[k];
+    hobe_text_add(text, "%s", k == 0 ? "plot " : ", \\\n     ");
+    quote(text, data);
+    hobe_text_add(text, " skip 1 using %zu:%zu with %s ", 2 * k + 1, 2 * k + 2,
+                  style[series->style]);
+    if (!series->label || !*series->label) {
+        hobe_text_add(text, "notitle");
+        return;
+    }
+    hobe_text_add(text, "title ");
+    quote(text, series->label);
+    hobe_text_add(text, " noenhanced");
+}
+
+void hobe_plot_script(struct hobe_text *text, const struct hobe_plot *plot, const char *data,
+                      const char *image)
+{
+    hobe_text_add(text, "# Draws the picture again: gnuplot -d THIS_FILE\n"
+                        "set encoding utf8\n"
+                        "if (strstrt(GPVAL_TERMINALS, ' pngcairo ')) {\n"
+                        "    set terminal pngcairo noenhanced size 1000,700 font 'Sans,13'\n"
+                        "} else {\n"
+                        "    set terminal png noenhanced size 1000,700\n"
+                        "}\n"
+                        "if (!exists('image')) image = ");
+    quote(text, image);
+    hobe_text_add(text, "\nset output image\n"
+                        "set datafile separator ','\n"
+                        "set colorsequence podo\n"
+                        "set border 3 lw 1.2\n"
+                        "set tics nomirror out\n"
+                        "set grid lc rgb '#d8d8d8' lt 1 lw 1\n"
+                        "set offsets graph 0.02, graph 0.02, graph 0.04, graph 0.04\n");
+    hobe_text_add(text, "set key %s spacing 1.2 width 1\n", legend(plot));
+    add_label(text, "title", plot->title);
+    add_label(text, "xlabel", plot->xlabel);
+    add_label(text, "ylabel", plot->ylabel);
+    for (size_t k = 0; k < plot->count; k++)
+        add_series(text, plot, k, data);
+    hobe_text_bytes(text, "\n", 1);
+}
+
+/* ---- drawing -------------------------------------------------------------------------------- */
+
+/* Starts gnuplot on `script` in the folder dir, drawing into the file `image`; what it says goes
+ * to `words`.  No shell, no start-up files, nothing on standard input.  0 or an errno. */
+static int start(int dir, int words, const char *script, const char *image, pid_t *child)
+{
+    char set[128], path[300];
+    snprintf(set, sizeof set, "image = '%s'", image);
+    snprintf(path, sizeof path, "./%s", script); /* a name must not look like an option */
+    char *const argv[] = {"gnuplot", "-d", "-e", set, path, NULL};
+    posix_spawn_file_actions_t actions;
+    int cause = posix_spawn_file_actions_init(&actions);
+    if (cause)
+        return cause;
+    posix_spawn_file_actions_addfchdir_np(&actions, dir);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, words, 2);
+    cause = posix_spawnp(child, argv[0], &actions, NULL, argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    return cause;
+}
+
+/* Reads all that comes from a pipe and keeps the first line that is not blank or a marker. */
+static void listen_to(int pipe_end, char *line, size_t size)
+{
+    char all[2000], more[500];
+    size_t used = 0;
+    ssize_t n;
+    while ((n = read(pipe_end, more, sizeof more)) != 0) {
+        if (n < 0 && errno != EINTR)
+            break;
+        for (ssize_t i = 0; i < n && used + 1 < sizeof all; i++)
+            all[used++] = more[i];
+    }
+    all[used] = '\0';
+    const char *from = all + strspn(all, " \t\r\n^");
+    snprintf(line, size, "%.*s", (int)strcspn(from, "\r\n"), from);
+}
+
+/* Runs gnuplot to its end.  0: drawn; an errno; or -1 with gnuplot's words in line. */
+static int run(int dir, const char *script, const char *image, char *line, size_t size)
+{
+    int pipe_end[2], how = 0;
+    pid_t child;
+    if (pipe2(pipe_end, O_CLOEXEC))
+        return errno;
+    int cause = start(dir, pipe_end[1], script, image, &child);
+    close(pipe_end[1]);
+    if (!cause) {
+        listen_to(pipe_end[0], line, size);
+        while (waitpid(child, &how, 0) < 0 && errno == EINTR)
+            continue;
+        cause = WIFEXITED(how) && WEXITSTATUS(how) == 0 ? 0 : -1;
+    }
+    close(pipe_end[0]);
+    return cause;
+}
+
+enum hobe_status hobe_plot_draw(const char *folder, const char *script, const char *image,
+                                int *drawn, struct hobe_error *err)
+{
+    const char *base, *script_base = strrchr(script, '/');
+    char temporary[64], line[300] = "";
+    script_base = script_base ? script_base + 1 : script;
+    *drawn = 0;
+    int dir = hobe_open_parent(folder, image, 0, &base, err);
+    if (dir < 0)
+        return err ? err->status : HOBE_IO;
+    snprintf(temporary, sizeof temporary, ".hobe-%ld-image.tmp", (long)getpid());
+    int cause = run(dir, script_base, temporary, line, sizeof line);
+    if (cause == 0 && renameat(dir, temporary, dir, base)) {
+        cause = -1;
+        snprintf(line, sizeof line, "%s", strerror(errno));
+    }
+    *drawn = cause == 0;
+    if (cause != 0)
+        unlinkat(dir, temporary, 0);
+    close(dir);
+    if (cause == 0 || cause == ENOENT)
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_IO, NULL, "%s/%s could not be drawn: %s", folder, image,
+                     cause > 0 ? strerror(cause)
+                     : *line   ? line
+                               : "gnuplot failed");
+}

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rectangles, their Saint-Venant warping function, and cubature over them.  The only room that
+ * talks to GSL. */
+#include "section.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    WARPING_POINTS = 48, /* Gauss points per direction for w: J to 1e-9, see tests/runtime */
+    PAPER_POINTS = 3     /* Tang et al. 2022 */
+};
+
+/* The series of eq. 33 with the sine along one side and the hyperbolic sine along the other:
+ *
+ *     w = sign (y z + sum over odd n of c_n sin(n pi s/S) sinh(n pi t/S)),
+ *     c_n = (-1)^((n+1)/2) 8 S^2 / (n^3 pi^3 cosh(n pi T/(2S))),
+ *
+ * (s, t) = (z, y) and sign +, as the paper has it, or (y, z) and sign -: both are Saint-Venant's
+ * function.  The terms decay from the edges t = +-T/2 inwards like exp(-n pi (T/2 - |t|)/S), so the
+ * sine belongs along the short side. */
+struct series {
+    int terms;
+    int sine_along_y;
+    double sine, hyperbolic; /* S, T */
+};
+
+struct hobe_section {
+    double width, height;
+    enum hobe_warping warping;
+    struct series series;
+    struct hobe_section_properties properties;
+    char text[160];
+};
+
+static struct series choose_series(double width, double height, enum hobe_warping warping)
+{
+    const int along_y = warping == HOBE_WARPING_SERIES && width < height;
+    return (struct series){
+        /* the torsion constant's tail after N odd terms is below 1/(8 (2N)^4): 1e-11 at 150 */
+        .terms = warping == HOBE_WARPING_PAPER ? 1 : 150,
+        .sine_along_y = along_y,
+        .sine = along_y ? width : height,
+        .hyperbolic = along_y ? height : width,
+    };
+}
+
+/* w and its gradient at (y, z): f[3]. */
+static void warping(const struct series *w, double y, double z, double *f)
+{
+    const double s = w->sine_along_y ? y : z, t = w->sine_along_y ? z : y;
+    double sum = 0, sum_s = 0, sum_t = 0;
+    for (int i = 0; i < w->terms; i++) {
+        const int n = 2 * i + 1;
+        const double a = n * M_PI / w->sine, far = exp(-a * w->hyperbolic);
+        /* sinh(a t)/cosh(a T/2) and cosh(a t)/cosh(a T/2) without overflow */
+        const double grow = exp(a * (fabs(t) - w->hyperbolic / 2)) / (1 + far);
+        const double decay = exp(-2 * a * fabs(t));
+        const double sinh_t = copysign(grow * (1 - decay), t), cosh_t = grow * (1 + decay);
+        const double c = (i % 2 ? 8.0 : -8.0) * w->sine * w->sine / (pow(n, 3) * pow(M_PI, 3));
+        sum += c * sin(a * s) * sinh_t;
+        sum_s += c * a * cos(a * s) * sinh_t;
+        sum_t += c * a * sin(a * s) * cosh_t;
+    }
+    const double sign = w->sine_along_y ? -1 : 1;
+    f[0] = sign * (y * z + sum);
+    f[1] = sign * (z + (w->sine_along_y ? sum_s : sum_t));
+    f[2] = sign * (y + (w->sine_along_y ? sum_t : sum_s));
+}
+
+/* Saint-Venant's torsion constant of a rectangle a >= b:
+ * J = a b^3/3 (1 - 192 b/(pi^5 a) sum over odd n of tanh(n pi a/(2b))/n^5). */
+static double torsion_constant(double width, double height)
+{
+    const double a = fmax(width, height), b = fmin(width, height);
+    double sum = 0;
+    for (int n = 999; n > 0; n -= 2)
+        sum += tanh(n * M_PI * a / (2 * b)) / pow(n, 5);
+    return a * pow(b, 3) / 3 * (1 - 192 * b / (pow(M_PI, 5) * a) * sum);
+}
+
+enum hobe_status hobe_gauss(int n, double (*gauss)[2], struct hobe_error *err)
+{
+    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc((size_t)n);
+    if (!table)
+        return hobe_fail(err, HOBE_NO_MEMORY, NULL, "out of memory: %d Gauss points", n);
+    for (int i = 0; i < n; i++)
+        gsl_integration_glfixed_point(0, 1, (size_t)i, &gauss[i][0], &gauss[i][1], table);
+    gsl_integration_glfixed_table_free(table);
+    return HOBE_OK;
+}
+
+/* n x n Gauss points over the rectangle with the values of `functions` section functions. */
+static enum hobe_status product_rule(const hobe_section *section, const struct series *series,
+                                     int functions, int n, struct hobe_rule *rule,
+                                     struct hobe_error *err)
+{
+    double(*gauss)[2] = hobe_alloc((size_t)n, sizeof *gauss, err);
+    *rule = (struct hobe_rule){0};
+    rule->point = gauss ? hobe_alloc((size_t)(n * n), sizeof *rule->point, err) : NULL;
+    if (!rule->point || hobe_gauss(n, gauss, err)) {
+        hobe_free(gauss);
+        hobe_rule_free(rule);
+        return HOBE_NO_MEMORY;
+    }
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            struct hobe_section_point *p = rule->point + i * n + j;
+            p->y = (gauss[i][0] - 0.5) * section->width;
+            p->z = (gauss[j][0] - 0.5) * section->height;
+            p->weight = gauss[i][1] * gauss[j][1] * section->width * section->height;
+            if (functions)
+                warping(series, p->y, p->z, p->f[0]);
+        }
+    hobe_free(gauss);
+    rule->rule = (struct hobe_section_rule){n * n, rule->point};
+    return HOBE_OK;
+}
+
+void hobe_rule_free(struct hobe_rule *rule)
+{
+    hobe_free(rule->point);
+    *rule = (struct hobe_rule){0};
+}
+
+/* The section knows one function, w. */
+static enum hobe_status check_functions(const struct hobe_kernel *kernel, struct hobe_error *err)
+{
+    for (int i = 0; i < kernel->functions; i++)
+        if (strcmp(kernel->function[i], "w") != 0)
+            return hobe_fail(err, HOBE_UNKNOWN, NULL,
+                             "element %s uses the section function %s, a rectangle has only w",
+                             kernel->name, kernel->function[i]);
+    return HOBE_OK;
+}
+
+static struct series series_for(const hobe_section *section, enum hobe_integration integration)
+{
+    return integration == HOBE_INTEGRATION_PAPER
+               ? choose_series(section->width, section->height, HOBE_WARPING_PAPER)
+               : section->series;
+}
+
+enum hobe_status hobe_section_rule(const hobe_section *section, const struct hobe_kernel *kernel,
+                                   enum hobe_integration integration, struct hobe_rule *rule,
+                                   struct hobe_error *err)
+{
+    *rule = (struct hobe_rule){0};
+    if (check_functions(kernel, err))
+        return HOBE_UNKNOWN;
+    const struct series series = series_for(section, integration);
+    int n = 2 * kernel->degree + 1; /* exact for degree 4 * kernel->degree */
+    if (kernel->functions)
+        n = WARPING_POINTS;
+    if (integration == HOBE_INTEGRATION_PAPER)
+        n = PAPER_POINTS;
+    return product_rule(section, &series, kernel->functions, n, rule, err);
+}
+
+enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_kernel *kernel,
+                                enum hobe_integration integration, struct hobe_rule *rule,
+                                struct hobe_error *err)
+{
+    *rule = (struct hobe_rule){0};
+    if (check_functions(kernel, err))
+        return HOBE_UNKNOWN;
+    const struct series series = series_for(section, integration);
+    return product_rule(section, &series, kernel->functions, 1, rule, err);
+}
+
+/* Torsion and warping constants of the section with the warping function in use:
+ * J_w = I_p - b^2/c,  b = int (z w_y - y w_z) dA,  c = int |grad w|^2 dA,
+ * the least torsional energy when the amplitude of w is free, as it is in the element. */
+static enum hobe_status warping_constants(hobe_section *section, struct hobe_error *err)
+{
+    struct hobe_section_properties *p = &section->properties;
+    struct hobe_rule rule;
+    if (product_rule(section, &section->series, 1, WARPING_POINTS, &rule, err))
+        return HOBE_NO_MEMORY;
+    double b = 0, c = 0;
+    for (int i = 0; i < rule.rule.points; i++) {
+        const struct hobe_section_point *at = rule.point + i;
+        const double *f = at->f[0];
+        b += at->weight * (at->z * f[1] - at->y * f[2]);
+        c += at->weight * (f[1] * f[1] + f[2] * f[2]);
+        p->Iw += at->weight * f[0] * f[0];
+    }
+    hobe_rule_free(&rule);
+    p->J_w = p->Iyy + p->Izz - b * b / c;
+    return HOBE_OK;
+}
+
+hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,
+                                     struct hobe_error *err)
+{
+    if (!(width > 0 && isfinite(width)) || !(height > 0 && isfinite(height))) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                  "a rectangle needs width > 0 and height > 0 (m), got %g and %g", width, height);
+        return NULL;
+    }
+    gsl_set_error_handler_off();
+    hobe_section *section = hobe_alloc(1, sizeof *section, err);
+    if (!section)
+        return NULL;
+    const double A = width * height;
+    section->width = width;
+    section->height = height;
+    section->warping = warping;
+    section->series = choose_series(width, height, warping);
+    section->properties = (struct hobe_section_properties){
+        .A = A,
+        .Iyy = A * height * height / 12,
+        .Izz = A * width * width / 12,
+        .J = torsion_constant(width, height),
+        .width = width,
+        .height = height,
+    };
+    if (warping_constants(section, err)) {
+        hobe_section_free(section);
+        return NULL;
+    }
+    snprintf(section->text, sizeof section->text, "rectangle %g x %g m, w: %s", width, height,
+             warping == HOBE_WARPING_PAPER ? "one term of the series (paper)"
+                                           : "Saint-Venant series, converged");
+    return section;
+}
+
+void hobe_section_free(hobe_section *section)
+{
+    hobe_free(section);
+}
+
+void hobe_section_properties(const hobe_section *section, struct hobe_section_properties *p)
+{
+    *p = section->properties;
+}
+
+const char *hobe_section_text(const hobe_section *section)
+{
+    return section->text;
+}
+
+enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
+                                       double z, double *f, struct hobe_error *err)
+{
+    if (strcmp(name, "w") != 0)
+        return hobe_fail(err, HOBE_UNKNOWN, NULL, "a rectangle has no section function %s, only w",
+                         name);
+    warping(&section->series, y, z, f);
+    return HOBE_OK;
+}
