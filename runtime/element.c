@@ -143,16 +143,16 @@ static enum hobe_status fill_invariants(hobe_element *element,
     if (!status)
         status = hobe_gauss(inv->stations, gauss, err);
     if (!status)
-        status = hobe_section_rule(options->section, element->kernel, options->integration, &rule,
-                                   err);
+        status =
+            hobe_section_rule(options->section, element->kernel, options->integration, &rule, err);
     if (!status)
-        status = hobe_axis_rule(options->section, element->kernel, options->integration, &axis, err);
+        status =
+            hobe_axis_rule(options->section, element->kernel, options->integration, &axis, err);
     if (!status) {
         const int on_axis = element->mechanics == HOBE_MECHANICS_AXIS;
         hobe_material_law(&options->material, element->mechanics, &law);
         element->kernel->invariants(inv, (const double(*)[2])gauss, &rule.rule,
-                                    on_axis ? &axis.rule : &rule.rule, &law,
-                                    options->material.rho);
+                                    on_axis ? &axis.rule : &rule.rule, &law, options->material.rho);
     }
     hobe_rule_free(&rule);
     hobe_rule_free(&axis);
@@ -268,13 +268,18 @@ hobe_element *hobe_element_new(const struct hobe_element_options *options, struc
     }
     if (hobe_material_check(&options->material, err))
         return NULL;
+    if (options->kernel->vectors > HOBE_MAX_VECTORS) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL, "element %s has %d vectors, at most %d are possible",
+                  options->kernel->name, options->kernel->vectors, HOBE_MAX_VECTORS);
+        return NULL;
+    }
     hobe_element *element = hobe_alloc(1, sizeof *element, err);
     if (!element)
         return NULL;
     element->kernel = options->kernel;
     element->section = options->section;
-    element->mechanics = options->mechanics ? options->mechanics
-                                            : hobe_mechanics_find(options->kernel->mechanics);
+    element->mechanics =
+        options->mechanics ? options->mechanics : hobe_mechanics_find(options->kernel->mechanics);
     if (fill_invariants(element, options, err) || find_dropped(element, err) ||
         check_at_rest(element, options, err)) {
         hobe_element_free(element);
@@ -362,8 +367,8 @@ static enum hobe_status single_new(const hobe_element *element, const double *q0
     return HOBE_OK;
 }
 
-enum hobe_status hobe_element_energy(const hobe_element *element, const double *q0,
-                                     const double *q, double *U, struct hobe_error *err)
+enum hobe_status hobe_element_energy(const hobe_element *element, const double *q0, const double *q,
+                                     double *U, struct hobe_error *err)
 {
     struct single s;
     if (single_new(element, q0, q, &s, err))

@@ -110,7 +110,9 @@ enum hobe_status hobe_eigenvalues(int n, double *A, double *eigenvalue, struct h
     dsyev_("N", "L", &n, A, &n, eigenvalue, work, &lwork, &info);
     hobe_free(work);
     if (info)
-        return hobe_fail(err, HOBE_SINGULAR, NULL, "the eigenvalues of a %d x %d matrix did not "
-                                                   "converge", n, n);
+        return hobe_fail(err, HOBE_SINGULAR, NULL,
+                         "the eigenvalues of a %d x %d matrix did not "
+                         "converge",
+                         n, n);
     return HOBE_OK;
 }

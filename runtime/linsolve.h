@@ -13,7 +13,8 @@ typedef struct hobe_linsolve hobe_linsolve;
 hobe_linsolve *hobe_linsolve_analyse(long n, long *Ap, long *Ai, struct hobe_error *err);
 
 /* LU factors, with partial pivoting, of S A S with S = diag(scale): Ax[Ap[n]] and scale[n] are not
- * modified.  HOBE_SINGULAR with *column set to the column of the vanishing pivot (-1 if unknown). */
+ * modified.  HOBE_SINGULAR with *column set to the column of the vanishing pivot (-1 if unknown).
+ */
 enum hobe_status hobe_linsolve_factor(hobe_linsolve *solver, const double *Ax, const double *scale,
                                       long *column, struct hobe_error *err);
 

@@ -32,7 +32,8 @@ enum hobe_status hobe_material_check(const struct hobe_material *m, struct hobe_
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "rho must be >= 0 (kg/m^3), got %g", m->rho);
     if (!(m->k2 > 0 && isfinite(m->k2)) || !(m->k3 > 0 && isfinite(m->k3)))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "shear correction factors k2, k3 must be > 0, got %g and %g", m->k2, m->k3);
+                         "shear correction factors k2, k3 must be > 0, got %g and %g", m->k2,
+                         m->k3);
     return HOBE_OK;
 }
 

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "assemble.h"
+
+#include "load.h"
+
+#include <string.h>
+
+/* The displacements of `count` elements from `first` on, structure of arrays; spare lanes repeat
+ * the last element. */
+static void gather(const struct hobe_model *model, const struct beam *beam, int first, int count,
+                   const double *u)
+{
+    hobe_lanes *to = model->work.u;
+    for (int lane = 0; lane < HOBE_LANES; lane++) {
+        const int e = first + (lane < count ? lane : count - 1);
+        for (int v = 0; v < beam->kernel->vectors; v++) {
+            const double *from = u + 3 * model_vector(model, beam, e, v);
+            for (int a = 0; a < 3; a++)
+                to[3 * v + a][lane] = from[a];
+        }
+    }
+}
+
+static void scatter_force(const struct hobe_model *model, const struct beam *beam, int first,
+                          int count, double *f)
+{
+    for (int lane = 0; lane < count; lane++)
+        for (int v = 0; v < beam->kernel->vectors; v++) {
+            double *to = f + 3 * model_vector(model, beam, first + lane, v);
+            for (int a = 0; a < 3; a++)
+                to[a] += model->work.f[3 * v + a][lane];
+        }
+}
+
+/* Blocks (v, w), v >= w, of one lane, and their transposes. */
+static void scatter_tangent(const struct hobe_model *model, const struct beam *beam, int e,
+                            int lane, double *Ax)
+{
+    for (int v = 0; v < beam->kernel->vectors; v++)
+        for (int w = 0; w <= v; w++) {
+            const hobe_lanes *K = model->work.K + 9 * hobe_pair(v, w);
+            double block[3][3], transposed[3][3];
+            for (int a = 0; a < 3; a++)
+                for (int c = 0; c < 3; c++)
+                    block[a][c] = transposed[c][a] = K[3 * a + c][lane];
+            tangent_add(model, beam, e, v, w, (const double(*)[3])block, Ax);
+            if (v != w)
+                tangent_add(model, beam, e, w, v, (const double(*)[3])transposed, Ax);
+        }
+}
+
+void assemble(const struct hobe_model *model, const double *u, double *f, double *Ax)
+{
+    const struct workspace *work = &model->work;
+    memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
+    if (Ax)
+        memset(Ax, 0, (size_t)(9 * model->pattern.start[model->unknowns]) * sizeof *Ax);
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
+        for (int first = 0; first < beam->spec.elements; first += HOBE_LANES) {
+            const int left = beam->spec.elements - first;
+            const int count = left < HOBE_LANES ? left : HOBE_LANES;
+            gather(model, beam, first, count, u);
+            if (Ax)
+                beam->kernel->tangent(inv, beam->q0_lanes, work->u, work->f, work->K,
+                                      work->scratch);
+            else
+                beam->kernel->force(inv, beam->q0_lanes, work->u, work->f, work->scratch);
+            scatter_force(model, beam, first, count, f);
+            for (int lane = 0; Ax && lane < count; lane++)
+                scatter_tangent(model, beam, first + lane, lane, Ax);
+        }
+    }
+}
+
+double assemble_energy(const struct hobe_model *model, const double *u)
+{
+    double energy = 0;
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
+        for (int first = 0; first < beam->spec.elements; first += HOBE_LANES) {
+            const int left = beam->spec.elements - first;
+            const int count = left < HOBE_LANES ? left : HOBE_LANES;
+            gather(model, beam, first, count, u);
+            beam->kernel->energy(inv, beam->q0_lanes, model->work.u, model->work.f);
+            for (int lane = 0; lane < count; lane++)
+                energy += model->work.f[0][lane];
+        }
+    }
+    return energy;
+}

@@ -1,0 +1,270 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "load.h"
+
+#include "element.h"
+
+#include <math.h>
+
+void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
+                 const double block[3][3], double *Ax)
+{
+    const int V = beam->kernel->vectors;
+    const long b = beam->block[((long)e * V + v) * V + w];
+    if (b < 0)
+        return;
+    const long j = model->unknown[model_vector(model, beam, e, w)];
+    for (int a = 0; a < 3; a++)
+        for (int c = 0; c < 3; c++)
+            Ax[pattern_scalar(&model->pattern, j, b, a, c)] += block[a][c];
+}
+
+/* ---- the section where a load acts ---------------------------------------------------------- */
+
+struct station {
+    struct place place;
+    double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS];
+    double slope[2][3]; /* r_y, r_z there */
+};
+
+/* Axial functions at a load and the section's slopes in state u. */
+static void find_station(const struct hobe_model *model, const char *name, double at,
+                         const double *u, struct station *s)
+{
+    const struct beam *beam = model_find_beam(model, name, NULL, NULL);
+    const struct hobe_kernel *k = beam->kernel;
+    s->place = model_place(beam, at);
+    k->shape(s->place.xi, hobe_element_invariants(beam->element)->length, s->N, s->Nx);
+    for (int m = 0; m < 2; m++)
+        for (int a = 0; a < 3; a++)
+            s->slope[m][a] = 0;
+    for (int v = 0; u && v < k->vectors; v++) {
+        const int m = k->vector[v].mode - 1;
+        const double *du = u + 3 * model_vector(model, beam, s->place.element, v);
+        if (m == 0 || m == 1)
+            for (int a = 0; a < 3; a++)
+                s->slope[m][a] += s->N[v] * (beam->q0[3 * v + a] + du[a]);
+    }
+}
+
+/* r += factor * N_v F over the vectors of a mode. */
+static void add_force(const struct hobe_model *model, const struct station *s, int mode,
+                      const double F[3], double factor, double *r)
+{
+    const struct beam *beam = s->place.beam;
+    for (int v = 0; v < beam->kernel->vectors; v++)
+        if (beam->kernel->vector[v].mode == mode) {
+            double *rv = r + 3 * model_vector(model, beam, s->place.element, v);
+            for (int a = 0; a < 3; a++)
+                rv[a] += factor * s->N[v] * F[a];
+        }
+}
+
+/* Ax += factor * N_v N_w G over the vectors v of one mode and w of another. */
+static void add_stiffness(const struct hobe_model *model, const struct station *s, int mode_v,
+                          int mode_w, const double G[3][3], double factor, double *Ax)
+{
+    const struct beam *beam = s->place.beam;
+    const struct hobe_kernel *k = beam->kernel;
+    for (int v = 0; v < k->vectors; v++)
+        for (int w = 0; w < k->vectors; w++) {
+            if (k->vector[v].mode != mode_v || k->vector[w].mode != mode_w)
+                continue;
+            double block[3][3];
+            for (int a = 0; a < 3; a++)
+                for (int c = 0; c < 3; c++)
+                    block[a][c] = factor * s->N[v] * s->N[w] * G[a][c];
+            tangent_add(model, beam, s->place.element, v, w, (const double(*)[3])block, Ax);
+        }
+}
+
+/* ---- algebra of three ------------------------------------------------------------------------ */
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double c[3])
+{
+    for (int i = 0; i < 3; i++)
+        c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* ---- moments --------------------------------------------------------------------------------- */
+
+/* Force and stiffness of the potential -m phi, phi the angle of the slope s about the unit axis e:
+ * dphi/ds = e x s/|p|^2 with p = s - (s.e) e, and its symmetric derivative. */
+static void angle_force(const double e[3], const double s[3], double m, double F[3], double H[3][3])
+{
+    double p[3], t[3];
+    const double along = dot(s, e);
+    for (int a = 0; a < 3; a++)
+        p[a] = s[a] - along * e[a];
+    cross(e, p, t);
+    const double p2 = dot(p, p);
+    for (int a = 0; a < 3; a++) {
+        F[a] += m * t[a] / p2;
+        for (int c = 0; c < 3; c++) {
+            /* d(e x s)/ds = [e]x; the angle is harmonic in its plane, so H = -(t p' + p t')/p^4 */
+            H[a][c] -= m * (t[a] * p[c] + p[a] * t[c]) / (p2 * p2);
+        }
+    }
+}
+
+/* A moment M is resolved on the beam's reference axes, M = m_x e_x + m_y e_y + m_z e_z, and acts on
+ * the angles of the section's slopes about them:
+ *
+ *     V = -m_x (phi_x(r_y) + phi_x(r_z))/2 - m_y phi_y(r_z) - m_z phi_z(r_y).
+ *
+ * Each slope is normal to the axis it turns about, so that at rest the moment does work on the
+ * rotation about its own axis only.  The centreline's slope takes no part: a couple on it would be
+ * carried by shear within one element, and soften without limit as the mesh is refined. */
+static void subtract_moment(const struct hobe_model *model, const struct hobe_moment *moment,
+                            const double *u, double factor, double *r, double *Ax)
+{
+    struct station s;
+    find_station(model, moment->beam, moment->at, u, &s);
+    const double(*frame)[3] = (const double(*)[3])s.place.beam->frame;
+    double m[3];
+    for (int b = 0; b < 3; b++)
+        m[b] = dot(frame[b], moment->value);
+    for (int slope = 0; slope < 2; slope++) {
+        double F[3] = {0}, H[3][3] = {{0}};
+        angle_force(frame[0], s.slope[slope], m[0] / 2, F, H);
+        angle_force(frame[2 - slope], s.slope[slope], m[2 - slope], F, H);
+        add_force(model, &s, 1 + slope, (const double *)F, -factor, r);
+        if (Ax)
+            add_stiffness(model, &s, 1 + slope, 1 + slope, (const double(*)[3])H, -factor, Ax);
+    }
+}
+
+/* ---- follower forces ------------------------------------------------------------------------- */
+
+/* The section's axes t_x = n/|n|, n = r_y x r_z; t_z = r_z/|r_z|; t_y = t_z x t_x. */
+static void section_axes(const double slope[2][3], double t[3][3], double *n_length)
+{
+    double n[3];
+    cross(slope[0], slope[1], n);
+    *n_length = sqrt(dot(n, n));
+    const double z_length = sqrt(dot(slope[1], slope[1]));
+    for (int a = 0; a < 3; a++) {
+        t[0][a] = n[a] / *n_length;
+        t[2][a] = slope[1][a] / z_length;
+    }
+    cross(t[2], t[0], t[1]);
+}
+
+/* Change of F = sum_b F_b t_b with one slope (0: r_y, 1: r_z): G[a][c] = dF_a/d slope_c. */
+static void follower_derivative(const double slope[2][3], const double t[3][3], double n_length,
+                                const double local[3], int of, double G[3][3])
+{
+    const double z_length = sqrt(dot(slope[1], slope[1]));
+    for (int c = 0; c < 3; c++) {
+        double e[3] = {0}, dn[3], dx[3], dz[3] = {0}, part[3], dy[3];
+        e[c] = 1;
+        if (of == 0)
+            cross(e, slope[1], dn);
+        else
+            cross(slope[0], e, dn);
+        const double along = dot(dn, t[0]);
+        for (int a = 0; a < 3; a++) {
+            dx[a] = (dn[a] - along * t[0][a]) / n_length;
+            if (of == 1)
+                dz[a] = (e[a] - t[2][c] * t[2][a]) / z_length;
+        }
+        cross(dz, t[0], dy);
+        cross(t[2], dx, part);
+        for (int a = 0; a < 3; a++)
+            G[a][c] = local[0] * dx[a] + local[1] * (dy[a] + part[a]) + local[2] * dz[a];
+    }
+}
+
+static void subtract_follower(const struct hobe_model *model, const struct hobe_force *force,
+                              const double *u, double factor, double *r, double *Ax)
+{
+    struct station s;
+    double t[3][3], local[3], F[3] = {0}, n_length;
+    find_station(model, force->beam, force->at, u, &s);
+    section_axes((const double(*)[3])s.slope, t, &n_length);
+    for (int b = 0; b < 3; b++) {
+        local[b] = dot(s.place.beam->frame[b], force->value);
+        for (int a = 0; a < 3; a++)
+            F[a] += local[b] * t[b][a];
+    }
+    add_force(model, &s, 0, (const double *)F, -factor, r);
+    for (int slope = 0; Ax && slope < 2; slope++) {
+        double G[3][3];
+        follower_derivative((const double(*)[3])s.slope, (const double(*)[3])t, n_length,
+                            (const double *)local, slope, G);
+        add_stiffness(model, &s, 0, 1 + slope, (const double(*)[3])G, -factor, Ax);
+    }
+}
+
+/* ---- all loads ------------------------------------------------------------------------------- */
+
+/* Weight of a beam: M a, with a = g on every position of the centreline. */
+static void add_gravity(struct hobe_model *model, const struct beam *beam)
+{
+    const struct hobe_kernel *k = beam->kernel;
+    const double *mass = hobe_element_invariants(beam->element)->mass;
+    for (int e = 0; e < beam->spec.elements; e++)
+        for (int v = 0; v < k->vectors; v++) {
+            double m = 0;
+            for (int w = 0; w < k->vectors; w++)
+                if (k->vector[w].mode == 0 && !k->vector[w].slope)
+                    m += mass[v * k->vectors + w];
+            double *f = model->dead + 3 * model_vector(model, beam, e, v);
+            for (int a = 0; a < 3; a++)
+                f[a] += m * model->gravity[a];
+        }
+}
+
+static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_error *err)
+{
+    if (model->gravity[0] == 0 && model->gravity[1] == 0 && model->gravity[2] == 0)
+        return HOBE_OK;
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        if (!(beam->spec.material.rho > 0))
+            return hobe_fail(err, HOBE_BAD_INPUT, model->gravity_where,
+                             "gravity needs a density: material.rho of beam \"%s\" is %g, must be "
+                             "> 0 (kg/m^3)",
+                             beam->name, beam->spec.material.rho);
+        add_gravity(model, beam);
+    }
+    return HOBE_OK;
+}
+
+enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
+{
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        struct station s;
+        if (!model_find_beam(model, force->beam, force->where, err))
+            return HOBE_UNKNOWN;
+        find_station(model, force->beam, force->at, NULL, &s);
+        if (!force->follower)
+            add_force(model, &s, 0, force->value, 1, model->dead);
+    }
+    for (size_t i = 0; i < model->moments.count; i++) {
+        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
+        if (!model_find_beam(model, moment->beam, moment->where, err))
+            return HOBE_UNKNOWN;
+    }
+    return build_gravity(model, err);
+}
+
+void load_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
+                   double *Ax)
+{
+    for (long i = 0; i < 3 * model->vectors; i++)
+        r[i] -= factor * model->dead[i];
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        if (force->follower)
+            subtract_follower(model, force, u, factor, r, Ax);
+    }
+    for (size_t i = 0; i < model->moments.count; i++)
+        subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, factor, r,
+                        Ax);
+}

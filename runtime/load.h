@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Forces, moments and gravity. */
+#ifndef HOBE_LOAD_H
+#define HOBE_LOAD_H
+
+#include "model.h"
+
+/* Resolves the loads' beams and sums what does not depend on the state into model->dead. */
+enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err);
+
+/* r -= factor * Q(u), and Ax -= factor * dQ/du when Ax is not NULL: Q the forces of all loads on
+ * the vectors, [vectors][3], N or N m. */
+void load_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
+                   double *Ax);
+
+/* Adds the 3 x 3 matrix block to the tangent's values at (v, w) of element e, where unknown. */
+void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
+                 const double block[3][3], double *Ax);
+
+#endif

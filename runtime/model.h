@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a built model holds: numbering, loads, sparsity.  Shared by the core's rooms only.
+ *
+ * Every beam owns a run of nodal vectors; element e of a beam uses vectors
+ * first + e * step + (0 .. V-1), so that neighbours share those of their common node.  A join
+ * makes a vector stand for another (`alias`); a vector that is neither an alias nor held has a
+ * number `unknown` >= 0, and its three components are the scalar unknowns 3 * unknown + 0, 1, 2.
+ * States u hold displacements of all vectors, [vectors][3]. */
+#ifndef HOBE_MODEL_H
+#define HOBE_MODEL_H
+
+#include "hobe.h"
+#include "linsolve.h"
+
+struct beam {
+    struct hobe_beam spec;
+    char *name;
+    hobe_element *element;
+    const struct hobe_kernel *kernel;
+    double frame[3][3]; /* rows e_x, e_y, e_z in the reference */
+    double length;      /* of the beam, m */
+    double *q0;         /* [V][3] reference of one element, first node at the origin */
+    hobe_lanes *q0_lanes;
+    long first;  /* first vector */
+    int step;    /* vectors from an element to the next */
+    long *block; /* [elements][V][V] place of the 3 x 3 block (v, w) in the pattern, -1: held */
+};
+
+/* Where something acts: an element of a beam and the place in it. */
+struct place {
+    const struct beam *beam;
+    int element;
+    double xi;
+};
+
+/* A list of items of one kind that grows. */
+struct list {
+    void *item;
+    size_t count, room;
+};
+
+/* Compressed columns of 3 x 3 blocks, and their scalar form for the solver. */
+struct pattern {
+    long blocks;       /* columns */
+    long *start, *row; /* [blocks + 1], [start[blocks]] */
+    long *Ap, *Ai;     /* scalar columns */
+};
+
+struct workspace { /* of one batch, large enough for every beam */
+    hobe_lanes *u, *f, *K, *scratch;
+};
+
+struct hobe_model {
+    struct list beams, clamps, forces, moments, joins; /* struct beam, hobe_clamp, ... */
+    double gravity[3];
+    const char *gravity_where;
+    int built;
+    enum hobe_status failed; /* a failed build is not tried again */
+    long vectors;
+    long *alias, *unknown; /* [vectors] */
+    unsigned char *held;   /* [vectors] */
+    long unknowns;         /* vectors solved for */
+    double *dead;          /* [vectors][3] forces that do not depend on the state */
+    struct pattern pattern;
+    hobe_linsolve *solver;
+    struct workspace work;
+    char **note;
+    size_t notes;
+    double setup;
+};
+
+static inline struct beam *model_beam(const struct hobe_model *model, size_t i)
+{
+    return (struct beam *)model->beams.item + i;
+}
+
+/* The vector that element e of a beam calls v. */
+static inline long model_vector(const struct hobe_model *model, const struct beam *beam, int e,
+                                int v)
+{
+    return model->alias[beam->first + (long)e * beam->step + v];
+}
+
+/* The beam called name; NULL with err (HOBE_UNKNOWN, where) listing the known ones. */
+const struct beam *model_find_beam(const struct hobe_model *model, const char *name,
+                                   const char *where, struct hobe_error *err);
+
+/* Element and xi of `at` in [0,1] of a beam. */
+struct place model_place(const struct beam *beam, double at);
+
+/* Place of scalar (a, c) of block b, which lies in block column j. */
+static inline long pattern_scalar(const struct pattern *p, long j, long b, int a, int c)
+{
+    const long height = p->start[j + 1] - p->start[j];
+    return 9 * p->start[j] + 3 * height * c + 3 * (b - p->start[j]) + a;
+}
+
+/* Seconds of a monotonic clock. */
+double hobe_seconds(void);
+
+#endif

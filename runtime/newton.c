@@ -1,0 +1,371 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Static equilibrium: load steps, Newton's iteration with a consistent tangent, line search when
+ * the plain iteration fails, and cut-back of the step when that fails too.
+ *
+ * Residuals are measured in the norm |D r|, D = diag(K_0)^(-1/2) at the reference, which gives
+ * forces on positions and on slopes of any mode the same unit (root of energy); the tangent is
+ * scaled by the same D before it is factored. */
+#include "assemble.h"
+#include "load.h"
+#include "solution.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    DEFAULT_ITERATIONS = 30,
+    EASY_ITERATIONS = 8, /* a step that needs no more lets the next one grow */
+    LINE_SEARCH_CUTS = 12
+};
+
+static const double DEFAULT_TOLERANCE = 1e-9, DEFAULT_SMALLEST_STEP = 1e-4;
+
+/* A residual this much above the load's is hopeless: the iteration has left. */
+static const double DIVERGED = 1e12;
+
+/* |du.r| this far below its first value is round-off: no further digit can be won. */
+static const double ENERGY_FLOOR = 1e-26;
+
+struct solver {
+    hobe_model *model;
+    struct hobe_newton options;
+    double *u;        /* [vectors][3] accepted state, then the one being found */
+    double *start;    /* state at the start of the step */
+    double *r;        /* [vectors][3] residual F - factor Q */
+    double *Ax;       /* tangent */
+    double *x;        /* [unknowns] right-hand side and correction */
+    double *scale;    /* [unknowns] D */
+    double load_norm; /* |D Q| at the reference */
+    struct hobe_solution_info info;
+    struct hobe_iteration now;
+    long singular; /* column of a vanishing pivot */
+};
+
+static void log_line(struct solver *s, const char *note)
+{
+    s->now.note = note;
+    if (s->options.log)
+        s->options.log(s->options.context, &s->now);
+}
+
+/* x = the entries of a vector field at the unknowns. */
+static void restrict_to_unknowns(const hobe_model *model, const double *field, double *x)
+{
+    for (long v = 0; v < model->vectors; v++)
+        if (model->unknown[v] >= 0)
+            for (int a = 0; a < 3; a++)
+                x[3 * model->unknown[v] + a] = field[3 * v + a];
+}
+
+/* u += factor x */
+static void add_correction(const hobe_model *model, const double *x, double factor, double *u)
+{
+    for (long v = 0; v < model->vectors; v++)
+        if (model->unknown[v] >= 0)
+            for (int a = 0; a < 3; a++)
+                u[3 * v + a] += factor * x[3 * model->unknown[v] + a];
+}
+
+/* |D r| over the unknowns; NaN where the state is. */
+static double scaled_norm(const struct solver *s, const double *field)
+{
+    const hobe_model *model = s->model;
+    double sum = 0;
+    for (long v = 0; v < model->vectors; v++)
+        if (model->unknown[v] >= 0)
+            for (int a = 0; a < 3; a++) {
+                const double x = s->scale[3 * model->unknown[v] + a] * field[3 * v + a];
+                sum += x * x;
+            }
+    return sqrt(sum);
+}
+
+/* du . r */
+static double work_of(const struct solver *s)
+{
+    const hobe_model *model = s->model;
+    double sum = 0;
+    for (long v = 0; v < model->vectors; v++)
+        if (model->unknown[v] >= 0)
+            for (int a = 0; a < 3; a++)
+                sum += s->x[3 * model->unknown[v] + a] * s->r[3 * v + a];
+    return sum;
+}
+
+/* The residual in the current state; and the tangent when asked for. */
+static void evaluate(struct solver *s, double factor, int with_tangent)
+{
+    assemble(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
+    load_subtract(s->model, s->u, factor, s->r, with_tangent ? s->Ax : NULL);
+}
+
+/* ---- one step -------------------------------------------------------------------------------- */
+
+enum outcome { CONVERGED, FAILED, ERROR };
+
+/* Solves K dx = -r. */
+static enum outcome solve_correction(struct solver *s, struct hobe_error *err)
+{
+    const enum hobe_status status =
+        hobe_linsolve_factor(s->model->solver, s->Ax, s->scale, &s->singular, err);
+    s->info.factorisations++;
+    if (status == HOBE_SINGULAR)
+        return FAILED;
+    if (status)
+        return ERROR;
+    restrict_to_unknowns(s->model, s->r, s->x);
+    for (long i = 0; i < 3 * s->model->unknowns; i++)
+        s->x[i] = -s->x[i];
+    return hobe_linsolve_solve(s->model->solver, s->x, err) ? ERROR : CONVERGED;
+}
+
+/* Takes the correction, halved until the work of the residual along it has fallen. */
+static void search_line(struct solver *s, double factor)
+{
+    const double first = fabs(work_of(s));
+    double taken = 1;
+    add_correction(s->model, s->x, 1, s->u);
+    evaluate(s, factor, 0);
+    for (int cut = 0; cut < LINE_SEARCH_CUTS && !(fabs(work_of(s)) <= 0.9 * first); cut++) {
+        add_correction(s->model, s->x, -taken / 2, s->u);
+        taken /= 2;
+        evaluate(s, factor, 0);
+    }
+    s->now.line = taken;
+}
+
+/* Newton from the current state to equilibrium at a load factor. */
+static enum outcome iterate(struct solver *s, double factor, int line_search,
+                            struct hobe_error *err)
+{
+    double first_energy = 0;
+    s->now.load = factor;
+    s->now.line = 1;
+    s->now.energy = 1;
+    for (int i = 0; i <= s->options.max_iterations; i++) {
+        evaluate(s, factor, 1);
+        const double norm = scaled_norm(s, s->r);
+        s->now.iteration = i;
+        s->now.residual = norm / s->load_norm;
+        s->info.residual = s->now.residual;
+        if (s->now.residual <= s->options.tolerance) {
+            log_line(s, "converged");
+            return CONVERGED;
+        }
+        if (!(s->now.residual < DIVERGED)) {
+            log_line(s, "diverged");
+            return FAILED;
+        }
+        if (i > 1 && s->now.energy <= ENERGY_FLOOR) {
+            log_line(s, "converged to round-off");
+            return CONVERGED;
+        }
+        log_line(s, "");
+        const enum outcome outcome = solve_correction(s, err);
+        if (outcome == FAILED)
+            log_line(s, "singular tangent");
+        if (outcome != CONVERGED)
+            return outcome;
+        s->info.iterations++;
+        const double energy = fabs(work_of(s));
+        first_energy = fmax(first_energy, energy);
+        s->now.energy = first_energy > 0 ? energy / first_energy : 0;
+        if (line_search)
+            search_line(s, factor);
+        else
+            add_correction(s->model, s->x, 1, s->u);
+    }
+    log_line(s, "too many iterations");
+    return FAILED;
+}
+
+/* One step from s->start: plain Newton, then with line search; CONVERGED only where the solution
+ * is not turned inside out. */
+static enum outcome attempt(struct solver *s, double factor, struct hobe_error *err)
+{
+    const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
+    for (int line_search = 0; line_search <= !s->options.no_line_search; line_search++) {
+        const enum outcome outcome = iterate(s, factor, line_search, err);
+        if (outcome == ERROR)
+            return ERROR;
+        if (outcome == CONVERGED) {
+            s->info.smallest_volume = solution_smallest_volume(s->model, s->u);
+            if (s->info.smallest_volume > 0)
+                return CONVERGED;
+            log_line(s, "turned inside out");
+        }
+        memcpy(s->u, s->start, size);
+    }
+    return FAILED;
+}
+
+/* ---- steps ----------------------------------------------------------------------------------- */
+
+/* Where a singular tangent at the reference is free, in words. */
+static enum hobe_status name_free(const struct solver *s, struct hobe_error *err)
+{
+    const hobe_model *model = s->model;
+    for (size_t i = 0; i < model->beams.count && s->singular >= 0; i++) {
+        const struct beam *beam = model_beam(model, i);
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int v = 0; v < beam->kernel->vectors; v++)
+                if (model->unknown[model_vector(model, beam, e, v)] == s->singular / 3) {
+                    const struct hobe_vector *is = beam->kernel->vector + v;
+                    return hobe_fail(
+                        err, HOBE_SINGULAR, beam->spec.where,
+                        "the tangent stiffness is singular at rest: beam \"%s\" can move without "
+                        "resistance in mode %s%s (component %c) near at = %.4g; hold it, or use "
+                        "integration = \"exact\"",
+                        beam->name, beam->kernel->mode[is->mode], is->slope ? "'" : "",
+                        "xyz"[s->singular % 3],
+                        (e + beam->kernel->node[is->node]) / beam->spec.elements);
+                }
+    }
+    return hobe_fail(err, HOBE_SINGULAR, NULL,
+                     "the tangent stiffness is singular at rest: the scene can move without "
+                     "resistance; hold it, or use integration = \"exact\"");
+}
+
+static enum hobe_status give_up(const struct solver *s, double reached, double tried,
+                                struct hobe_error *err)
+{
+    if (reached == 0 && s->singular >= 0 && s->now.iteration == 0)
+        return name_free(s, err);
+    return hobe_fail(
+        err, HOBE_NOT_CONVERGED, NULL,
+        "no equilibrium found beyond %.4g of the load (tried %.4g; last residual %.2g, "
+        "%d steps, %d iterations, %d cut-backs); try a smaller load, a finer mesh, more "
+        "steps, or a smaller smallest_step (now %g): past a limit point no static "
+        "solution may exist",
+        reached, tried, s->now.residual, s->info.steps, s->info.iterations, s->info.cutbacks,
+        s->options.smallest_step);
+}
+
+static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
+{
+    const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
+    double reached = 0, step = 1.0 / s->options.steps;
+    while (reached < 1) {
+        const double target = reached + step > 1 - 1e-9 ? 1 : reached + step;
+        const int before = s->info.iterations;
+        s->now.step = s->info.steps + 1;
+        memcpy(s->start, s->u, size);
+        const enum outcome outcome = attempt(s, target, err);
+        if (outcome == ERROR)
+            return err ? err->status : HOBE_NO_MEMORY;
+        if (outcome == FAILED) {
+            if (step / 2 < s->options.smallest_step)
+                return give_up(s, reached, target, err);
+            step /= 2;
+            s->info.cutbacks++;
+            log_line(s, "step cut back");
+            continue;
+        }
+        s->info.steps++;
+        s->info.load = reached = target;
+        if (s->info.iterations - before <= EASY_ITERATIONS && s->info.cutbacks)
+            step = fmin(2 * step, 1.0 / s->options.steps);
+    }
+    return HOBE_OK;
+}
+
+/* D = diag(K)^(-1/2) and the norm of the load, both at the reference. */
+static void set_scale(struct solver *s)
+{
+    const struct pattern *p = &s->model->pattern;
+    evaluate(s, 1, 1);
+    for (long j = 0; j < 3 * p->blocks; j++) {
+        s->scale[j] = 1;
+        for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++)
+            if (p->Ai[k] == j && s->Ax[k] != 0)
+                s->scale[j] = 1 / sqrt(fabs(s->Ax[k]));
+    }
+    s->load_norm = scaled_norm(s, s->r); /* F = 0 at the reference */
+}
+
+static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
+{
+    const size_t vectors = (size_t)(3 * s->model->vectors), n = (size_t)(3 * s->model->unknowns);
+    s->u = hobe_alloc(vectors, sizeof *s->u, err);
+    s->start = hobe_alloc(vectors, sizeof *s->start, err);
+    s->r = hobe_alloc(vectors, sizeof *s->r, err);
+    s->Ax = hobe_alloc((size_t)s->model->pattern.Ap[n], sizeof *s->Ax, err);
+    s->x = hobe_alloc(n, sizeof *s->x, err);
+    s->scale = hobe_alloc(n, sizeof *s->scale, err);
+    return s->u && s->start && s->r && s->Ax && s->x && s->scale ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+static void release(struct solver *s)
+{
+    hobe_free(s->u);
+    hobe_free(s->start);
+    hobe_free(s->r);
+    hobe_free(s->Ax);
+    hobe_free(s->x);
+    hobe_free(s->scale);
+}
+
+static void set_defaults(struct hobe_newton *o)
+{
+    if (o->steps <= 0)
+        o->steps = 1;
+    if (o->max_iterations <= 0)
+        o->max_iterations = DEFAULT_ITERATIONS;
+    if (!(o->tolerance > 0))
+        o->tolerance = DEFAULT_TOLERANCE;
+    if (!(o->smallest_step > 0))
+        o->smallest_step = DEFAULT_SMALLEST_STEP;
+}
+
+/* Hands the state over to a new solution. */
+static enum hobe_status finish(struct solver *s, double started, hobe_solution **solution,
+                               struct hobe_error *err)
+{
+    *solution = hobe_alloc(1, sizeof **solution, err);
+    if (!*solution)
+        return HOBE_NO_MEMORY;
+    for (long v = 0; v < s->model->vectors; v++) /* joined vectors move together */
+        if (s->model->alias[v] != v)
+            memcpy(s->u + 3 * v, s->u + 3 * s->model->alias[v], 3 * sizeof *s->u);
+    s->info.energy = assemble_energy(s->model, s->u);
+    s->info.seconds = hobe_seconds() - started;
+    **solution = (struct hobe_solution){s->model, s->u, s->info};
+    s->u = NULL;
+    return HOBE_OK;
+}
+
+enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
+                             hobe_solution **solution, struct hobe_error *err)
+{
+    *solution = NULL;
+    enum hobe_status status = hobe_model_build(model, err);
+    if (status)
+        return status;
+    const double started = hobe_seconds();
+    struct solver s = {.model = model, .options = *options, .singular = -1};
+    set_defaults(&s.options);
+    status = allocate(&s, err);
+    if (!status) {
+        set_scale(&s);
+        if (s.load_norm > 0)
+            status = run_steps(&s, err);
+        else
+            s.info.load = s.info.smallest_volume = 1; /* no load: the reference is the answer */
+    }
+    if (!status)
+        status = finish(&s, started, solution, err);
+    release(&s);
+    return status;
+}
+
+void hobe_solution_free(hobe_solution *solution)
+{
+    if (solution)
+        hobe_free(solution->u);
+    hobe_free(solution);
+}
+
+void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info)
+{
+    *info = solution->info;
+}

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "pattern.h"
+
+#include <stdlib.h>
+
+void pattern_free(struct pattern *p)
+{
+    hobe_free(p->start);
+    hobe_free(p->row);
+    hobe_free(p->Ap);
+    hobe_free(p->Ai);
+    *p = (struct pattern){0};
+}
+
+/* The unknown of vector v of element e, -1 when held. */
+static long unknown(const struct hobe_model *model, const struct beam *beam, int e, int v)
+{
+    return model->unknown[model_vector(model, beam, e, v)];
+}
+
+/* Calls visit for every pair of unknown vectors (i, j) that an element couples, repeats included.
+ */
+static void each_pair(const struct hobe_model *model, void (*visit)(struct pattern *, long, long),
+                      struct pattern *pattern)
+{
+    for (size_t b = 0; b < model->beams.count; b++) {
+        const struct beam *beam = model_beam(model, b);
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int w = 0; w < beam->kernel->vectors; w++)
+                for (int v = 0; v < beam->kernel->vectors; v++) {
+                    const long i = unknown(model, beam, e, v), j = unknown(model, beam, e, w);
+                    if (i >= 0 && j >= 0)
+                        visit(pattern, i, j);
+                }
+    }
+}
+
+static void count_pair(struct pattern *p, long i, long j)
+{
+    (void)i;
+    p->start[j + 1]++;
+}
+
+/* start[j] is the place of the next row of column j while filling. */
+static void fill_pair(struct pattern *p, long i, long j)
+{
+    p->row[p->start[j]++] = i;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const long x = *(const long *)a, y = *(const long *)b;
+    return (x > y) - (x < y);
+}
+
+/* Sorts each column and removes repeats; start[] is shifted by one column after filling. */
+static void tidy_columns(struct pattern *p)
+{
+    long kept = 0, begin = 0;
+    for (long j = 0; j < p->blocks; j++) {
+        const long end = p->start[j];
+        qsort(p->row + begin, (size_t)(end - begin), sizeof *p->row, ascending);
+        p->start[j] = kept;
+        for (long k = begin; k < end; k++)
+            if (k == begin || p->row[k] != p->row[k - 1])
+                p->row[kept++] = p->row[k];
+        begin = end;
+    }
+    p->start[p->blocks] = kept;
+}
+
+/* The same pattern in scalars. */
+static enum hobe_status scalar_columns(struct pattern *p, struct hobe_error *err)
+{
+    p->Ap = hobe_alloc((size_t)(3 * p->blocks + 1), sizeof *p->Ap, err);
+    p->Ai = hobe_alloc((size_t)(9 * p->start[p->blocks]), sizeof *p->Ai, err);
+    if (!p->Ap || !p->Ai)
+        return HOBE_NO_MEMORY;
+    long next = 0;
+    for (long j = 0; j < p->blocks; j++)
+        for (int c = 0; c < 3; c++) {
+            p->Ap[3 * j + c] = next;
+            for (long b = p->start[j]; b < p->start[j + 1]; b++)
+                for (int a = 0; a < 3; a++)
+                    p->Ai[next++] = 3 * p->row[b] + a;
+        }
+    p->Ap[3 * p->blocks] = next;
+    return HOBE_OK;
+}
+
+static long find_block(const struct pattern *p, long i, long j)
+{
+    const long *found = bsearch(&i, p->row + p->start[j], (size_t)(p->start[j + 1] - p->start[j]),
+                                sizeof *p->row, ascending);
+    return found - p->row;
+}
+
+static enum hobe_status scatter_map(const struct hobe_model *model, struct beam *beam,
+                                    struct hobe_error *err)
+{
+    const int V = beam->kernel->vectors;
+    beam->block =
+        hobe_alloc((size_t)beam->spec.elements * (size_t)(V * V), sizeof *beam->block, err);
+    if (!beam->block)
+        return HOBE_NO_MEMORY;
+    long *block = beam->block;
+    for (int e = 0; e < beam->spec.elements; e++)
+        for (int v = 0; v < V; v++)
+            for (int w = 0; w < V; w++) {
+                const long i = unknown(model, beam, e, v), j = unknown(model, beam, e, w);
+                *block++ = i >= 0 && j >= 0 ? find_block(&model->pattern, i, j) : -1;
+            }
+    return HOBE_OK;
+}
+
+enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
+{
+    struct pattern *p = &model->pattern;
+    p->blocks = model->unknowns;
+    p->start = hobe_alloc((size_t)p->blocks + 1, sizeof *p->start, err);
+    if (!p->start)
+        return HOBE_NO_MEMORY;
+    each_pair(model, count_pair, p);
+    for (long j = 0; j < p->blocks; j++)
+        p->start[j + 1] += p->start[j];
+    p->row = hobe_alloc((size_t)p->start[p->blocks], sizeof *p->row, err);
+    if (!p->row)
+        return HOBE_NO_MEMORY;
+    each_pair(model, fill_pair, p);
+    tidy_columns(p);
+    enum hobe_status status = scalar_columns(p, err);
+    for (size_t b = 0; !status && b < model->beams.count; b++)
+        status = scatter_map(model, model_beam(model, b), err);
+    return status;
+}

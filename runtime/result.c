@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Position, strain and rotation anywhere in a beam. */
+#include "solution.h"
+
+#include "element.h"
+#include "section.h"
+
+#include <math.h>
+#include <string.h>
+
+/* One element's vectors around a point. */
+struct around {
+    const struct hobe_kernel *kernel;
+    double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS], phi[HOBE_MAX_MODES][3];
+    double u[3 * HOBE_MAX_VECTORS];
+};
+
+/* Displacements of the element's vectors and its axial functions at a place. */
+static void look_around(const hobe_model *model, const double *u, struct place place,
+                        struct around *p)
+{
+    const struct beam *beam = place.beam;
+    p->kernel = beam->kernel;
+    p->kernel->shape(place.xi, hobe_element_invariants(beam->element)->length, p->N, p->Nx);
+    for (int v = 0; v < p->kernel->vectors; v++)
+        memcpy(p->u + 3 * v, u + 3 * model_vector(model, beam, place.element, v), 3 * sizeof *p->u);
+}
+
+static enum hobe_status set_modes(const struct beam *beam, double y, double z, struct around *p,
+                                  struct hobe_error *err)
+{
+    double f[HOBE_MAX_FUNCTIONS][3];
+    for (int i = 0; i < p->kernel->functions; i++) {
+        const enum hobe_status status =
+            hobe_section_function(beam->spec.section, p->kernel->function[i], y, z, f[i], err);
+        if (status)
+            return status;
+    }
+    p->kernel->section_modes(y, z, (const double(*)[3])f, p->phi);
+    return HOBE_OK;
+}
+
+/* sum_v g_v q_v with g = (N phi, N' phi, N phi_y, N phi_z): value and gradient of a field. */
+static void field(const struct around *p, const double *q, double value[3], double F[3][3])
+{
+    for (int a = 0; a < 3; a++)
+        value[a] = F[a][0] = F[a][1] = F[a][2] = 0;
+    for (int v = 0; v < p->kernel->vectors; v++) {
+        const double *phi = p->phi[p->kernel->vector[v].mode];
+        for (int a = 0; a < 3; a++) {
+            const double x = q[3 * v + a];
+            value[a] += p->N[v] * phi[0] * x;
+            F[a][0] += p->Nx[v] * phi[0] * x;
+            F[a][1] += p->N[v] * phi[1] * x;
+            F[a][2] += p->N[v] * phi[2] * x;
+        }
+    }
+}
+
+static double determinant(double F[3][3])
+{
+    return F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) -
+           F[0][1] * (F[1][0] * F[2][2] - F[1][2] * F[2][0]) +
+           F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
+}
+
+/* dr/dX = dr0/dX + du/dX at the point p, columns the section's axes. */
+static void gradient(const struct around *p, const struct beam *beam, double F[3][3])
+{
+    double value[3];
+    field(p, p->u, value, F);
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++)
+            F[a][b] += beam->frame[b][a];
+}
+
+double solution_smallest_volume(const hobe_model *model, const double *u)
+{
+    static const double corner[5][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+    double smallest = INFINITY;
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
+        struct hobe_section_properties s;
+        double phi[5][HOBE_MAX_MODES][3];
+        struct around p = {.kernel = beam->kernel};
+        hobe_section_properties(beam->spec.section, &s);
+        for (int c = 0; c < 5; c++) {
+            if (set_modes(beam, corner[c][0] * s.width / 2, corner[c][1] * s.height / 2, &p, NULL))
+                return NAN;
+            memcpy(phi[c], p.phi, sizeof p.phi);
+        }
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int g = 0; g < inv->stations; g++) {
+                look_around(model, u, (struct place){beam, e, inv->xi[g]}, &p);
+                for (int c = 0; c < 5; c++) {
+                    double F[3][3];
+                    memcpy(p.phi, phi[c], sizeof p.phi);
+                    gradient(&p, beam, F);
+                    smallest = fmin(smallest, determinant(F));
+                }
+            }
+    }
+    return smallest;
+}
+
+/* The rotation vector of the rotation R. */
+static void rotation_vector(double R[3][3], double w[3])
+{
+    const double axis[3] = {R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]};
+    const double s = hypot(hypot(axis[0], axis[1]), axis[2]) / 2; /* sin */
+    const double c = (R[0][0] + R[1][1] + R[2][2] - 1) / 2;       /* cos */
+    const double angle = atan2(s, c);
+    if (s > 1e-8 || c > 0) {
+        const double factor = s > 1e-8 ? angle / (2 * s) : 0.5;
+        for (int a = 0; a < 3; a++)
+            w[a] = factor * axis[a];
+        return;
+    }
+    int largest = 0; /* half a turn: R = 2 n n' - 1 */
+    for (int a = 1; a < 3; a++)
+        if (R[a][a] > R[largest][largest])
+            largest = a;
+    const double n = sqrt(fmax(0, (R[largest][largest] + 1) / 2));
+    for (int a = 0; a < 3; a++)
+        w[a] = angle * (a == largest ? n : (R[largest][a] + R[a][largest]) / (4 * n));
+}
+
+/* The section's rotation: its axes t_x along r_y x r_z, t_y and t_z as near to r_y and r_z as an
+ * orthonormal pair can be (both turned by the same angle in their plane). */
+static void section_rotation(double F[3][3], const double frame[3][3], double w[3])
+{
+    double t[3][3], n[3], e[3], R[3][3];
+    for (int a = 0; a < 3; a++)
+        n[a] = F[(a + 1) % 3][1] * F[(a + 2) % 3][2] - F[(a + 2) % 3][1] * F[(a + 1) % 3][2];
+    const double norm = hypot(hypot(n[0], n[1]), n[2]);
+    for (int a = 0; a < 3; a++)
+        t[0][a] = n[a] / norm;
+    /* r_y + e_x x' of r_z: the sum of r_y and of r_z turned back by a right angle */
+    for (int a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        e[a] = F[a][1] + F[b][2] * t[0][c] - F[c][2] * t[0][b];
+    }
+    const double length = hypot(hypot(e[0], e[1]), e[2]);
+    for (int a = 0; a < 3; a++)
+        t[1][a] = e[a] / length;
+    for (int a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        t[2][a] = t[0][b] * t[1][c] - t[0][c] * t[1][b];
+    }
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++)
+            R[a][b] = t[0][a] * frame[0][b] + t[1][a] * frame[1][b] + t[2][a] * frame[2][b];
+    rotation_vector(R, w);
+}
+
+enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *name, double at,
+                                     double y, double z, struct hobe_point *point,
+                                     struct hobe_error *err)
+{
+    const struct beam *beam = model_find_beam(solution->model, name, NULL, err);
+    double axis[3][3], gradient_u[3][3];
+    if (!beam)
+        return HOBE_UNKNOWN;
+    if (!(at >= 0 && at <= 1))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "at must be a fraction of the beam's length from 0 to 1, got %g", at);
+    const struct place place = model_place(beam, at);
+    struct around p;
+    look_around(solution->model, solution->u, place, &p);
+    enum hobe_status status = set_modes(beam, 0, 0, &p, err);
+    if (status)
+        return status;
+    gradient(&p, beam, axis);
+    status = set_modes(beam, y, z, &p, err);
+    if (status)
+        return status;
+    gradient(&p, beam, point->F);
+    field(&p, p.u, point->u, gradient_u);
+    beam->kernel->strain(p.N, p.Nx, (const double(*)[3])p.phi, beam->q0, p.u, point->strain);
+    for (int a = 0; a < 3; a++) {
+        point->r0[a] = beam->spec.from[a] + at * beam->length * beam->frame[0][a] +
+                       y * beam->frame[1][a] + z * beam->frame[2][a];
+        point->r[a] = point->r0[a] + point->u[a];
+    }
+    double zy = 0, zz = 0; /* r_z on the reference axes */
+    for (int a = 0; a < 3; a++) {
+        zy += axis[a][2] * beam->frame[1][a];
+        zz += axis[a][2] * beam->frame[2][a];
+    }
+    point->twist = atan2(-zy, zz);
+    section_rotation(axis, (const double(*)[3])beam->frame, point->rotation);
+    return HOBE_OK;
+}

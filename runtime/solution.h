@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A state of a model and how it was found. */
+#ifndef HOBE_SOLUTION_H
+#define HOBE_SOLUTION_H
+
+#include "model.h"
+
+struct hobe_solution {
+    const hobe_model *model;
+    double *u; /* [vectors][3] displacements of the nodal vectors */
+    struct hobe_solution_info info;
+};
+
+/* min det F over the stations of all elements and the corners and centre of their sections: the
+ * deformation has turned inside out where it is not positive. */
+double solution_smallest_volume(const hobe_model *model, const double *u);
+
+#endif
