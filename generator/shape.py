@@ -5,6 +5,7 @@ A field with functionals L_i (values and slopes at nodes) gets the polynomials N
 with L_i N_j = delta_ij.  Slopes are d/dx: their functions carry a factor l, kept apart here.
 """
 
+import re
 from fractions import Fraction
 
 import sympy
@@ -12,6 +13,7 @@ import sympy
 from .declaration import DeclarationError
 
 XI = sympy.Symbol("xi")
+POLYNOMIAL = re.compile(r"(xi|[0-9+*/() -])+")  # sympy evaluates what it parses: nothing else
 
 
 def derive(declaration):
@@ -61,6 +63,8 @@ def _interpolation(nodes, dofs, where):
 
 def _polynomial(text, where):
     try:
+        if not POLYNOMIAL.fullmatch(text):
+            raise ValueError(text)
         poly = sympy.Poly(sympy.parse_expr(text, {"xi": XI}), XI, domain="QQ")
     except (sympy.PolynomialError, sympy.SympifyError, SyntaxError, TypeError, ValueError):
         raise DeclarationError(f"{where}: {text!r} is not a polynomial in xi with rational "

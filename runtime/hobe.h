@@ -164,7 +164,7 @@ struct hobe_moment { /* conservative; potential sum_a M_a sum_s w_as angle of sl
     double at;
     double value[3]; /* N m about the global axes */
 };
-struct hobe_join { /* ends of two parallel beams that share a node */
+struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle */
     const char *where, *beam[2];
     double at[2]; /* 0 or 1 */
 };
@@ -191,7 +191,7 @@ struct hobe_model_info {
     long vectors;  /* nodal vectors, held ones included */
     long unknowns; /* scalar unknowns solved for */
     long nonzeros; /* of the tangent stiffness */
-    double setup;  /* s, spent in hobe_model_build */
+    double setup;  /* s, spent on adding beams and in hobe_model_build */
 };
 void hobe_model_info(const hobe_model *model, struct hobe_model_info *info);
 

@@ -2,6 +2,7 @@
 /* Building a model: items in, checked and numbered beams with a sparsity pattern out. */
 #include "model.h"
 
+#include "constraint.h"
 #include "element.h"
 #include "load.h"
 #include "pattern.h"
@@ -79,6 +80,7 @@ void hobe_model_free(hobe_model *model)
     free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
     free_named(&model->moments, sizeof(struct hobe_moment), offsetof(struct hobe_moment, beam), 1);
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
+    hobe_free(model->corners.item);
     hobe_linsolve_free(model->solver);
     pattern_free(&model->pattern);
     hobe_free(model->alias);
@@ -199,8 +201,12 @@ enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec
     if (!beam->name)
         return HOBE_NO_MEMORY;
     beam->spec.name = beam->name;
-    const enum hobe_status status = set_frame(beam, err);
-    return status ? status : prepare(beam, err);
+    const double start = hobe_seconds();
+    enum hobe_status status = set_frame(beam, err);
+    if (!status)
+        status = prepare(beam, err);
+    model->setup += hobe_seconds() - start;
+    return status;
 }
 
 enum hobe_status hobe_model_clamp(hobe_model *model, const struct hobe_clamp *spec,
@@ -333,6 +339,7 @@ static enum hobe_status add_note(hobe_model *model, const char *text, struct hob
 
 /* ---- numbering ------------------------------------------------------------------------------ */
 
+/* Beams in the order added, then one block of multipliers for every join: more than enough. */
 static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *err)
 {
     model->vectors = 0;
@@ -341,15 +348,16 @@ static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *e
         beam->first = model->vectors;
         model->vectors += (long)beam->step * (beam->spec.elements - 1) + beam->kernel->vectors;
     }
-    const size_t n = (size_t)model->vectors;
+    model->beam_vectors = model->vectors;
+    const size_t n = (size_t)model->vectors + model->joins.count;
     model->alias = hobe_alloc(n, sizeof *model->alias, err);
     model->unknown = hobe_alloc(n, sizeof *model->unknown, err);
     model->held = hobe_alloc(n, sizeof *model->held, err);
     model->dead = hobe_alloc(3 * n, sizeof *model->dead, err);
     if (!model->alias || !model->unknown || !model->held || !model->dead)
         return HOBE_NO_MEMORY;
-    for (long v = 0; v < model->vectors; v++)
-        model->alias[v] = v;
+    for (size_t v = 0; v < n; v++)
+        model->alias[v] = (long)v;
     return HOBE_OK;
 }
 
@@ -445,28 +453,46 @@ static int same_beam(const struct beam *a, const struct beam *b)
            memcmp(&a->spec.material, &b->spec.material, sizeof a->spec.material) == 0;
 }
 
-static enum hobe_status check_join(const struct hobe_join *join, const struct beam *const beam[2],
-                                   struct hobe_error *err)
+/* One end of a join, resolved. */
+struct joined {
+    const struct beam *beam;
+    int element, node;
+};
+
+static enum hobe_status find_joined(const hobe_model *model, const struct hobe_join *join,
+                                    struct joined end[2], struct hobe_error *err)
 {
-    double gap = 0, turn = 0;
-    for (int a = 0; a < 3; a++) {
-        double end[2];
-        for (int i = 0; i < 2; i++)
-            end[i] = join->at[i] == 0 ? beam[i]->spec.from[a] : beam[i]->spec.to[a];
-        gap = hypot(gap, end[0] - end[1]);
-        for (int b = 0; b < 3; b++)
-            turn = fmax(turn, fabs(beam[0]->frame[b][a] - beam[1]->frame[b][a]));
+    double gap = 0;
+    for (int i = 0; i < 2; i++) {
+        end[i].beam = model_find_beam(model, join->beam[i], join->where, err);
+        if (!end[i].beam)
+            return HOBE_UNKNOWN;
+        if (join->at[i] != 0 && join->at[i] != 1)
+            return hobe_fail(err, HOBE_BAD_INPUT, join->where,
+                             "beams are joined at their ends: at must be 0 or 1, got %g",
+                             join->at[i]);
+        end[i].node = node_at(end[i].beam, join->at[i], &end[i].element);
     }
-    if (gap > COINCIDENT * fmax(beam[0]->length, beam[1]->length))
+    const struct beam *a = end[0].beam, *b = end[1].beam;
+    if (a == b)
+        return hobe_fail(err, HOBE_BAD_INPUT, join->where, "beam \"%s\" is joined to itself",
+                         a->name);
+    for (int c = 0; c < 3; c++)
+        gap = hypot(gap, (join->at[0] == 0 ? a->spec.from : a->spec.to)[c] -
+                             (join->at[1] == 0 ? b->spec.from : b->spec.to)[c]);
+    if (gap > COINCIDENT * fmax(a->length, b->length))
         return hobe_fail(err, HOBE_BAD_INPUT, join->where,
                          "the joined ends of \"%s\" and \"%s\" are %g m apart; they must coincide",
-                         beam[0]->name, beam[1]->name, gap);
-    if (turn > 1e-9)
-        return hobe_fail(err, HOBE_BAD_INPUT, join->where,
-                         "beams \"%s\" and \"%s\" meet at an angle; beams joined at a node must be "
-                         "parallel, with the same section axes",
-                         beam[0]->name, beam[1]->name);
+                         a->name, b->name, gap);
     return HOBE_OK;
+}
+
+static int parallel(const struct beam *a, const struct beam *b)
+{
+    double turn = 0;
+    for (int i = 0; i < 9; i++)
+        turn = fmax(turn, fabs(a->frame[i / 3][i % 3] - b->frame[i / 3][i % 3]));
+    return turn < 1e-9;
 }
 
 static long representative(const hobe_model *model, long v)
@@ -476,38 +502,55 @@ static long representative(const hobe_model *model, long v)
     return v;
 }
 
-/* Position and slopes y, z are shared; slope x and further modes only where the beams are alike. */
+/* Makes the vector of a mode at two joined nodes one. */
+static void share(hobe_model *model, const struct joined end[2], int mode, int slope)
+{
+    long v[2];
+    for (int i = 0; i < 2; i++) {
+        const int local = hobe_kernel_vector(end[i].beam->kernel, end[i].node, mode, slope);
+        if (local < 0)
+            return;
+        v[i] = representative(model, end[i].beam->first + (long)end[i].element * end[i].beam->step +
+                                         local);
+    }
+    model->alias[v[0] > v[1] ? v[0] : v[1]] = v[0] > v[1] ? v[1] : v[0];
+}
+
+/* Beams at an angle keep their own slopes, which a corner ties together. */
+static enum hobe_status add_corner(hobe_model *model, const struct joined end[2],
+                                   struct hobe_error *err)
+{
+    struct corner *corner = append(&model->corners, sizeof *corner, err);
+    if (!corner)
+        return HOBE_NO_MEMORY;
+    for (int i = 0; i < 2; i++) {
+        corner->beam[i] = end[i].beam;
+        corner->element[i] = end[i].element;
+        for (int s = 0; s < 2; s++)
+            corner->slope[i][s] = hobe_kernel_vector(end[i].beam->kernel, end[i].node, 1 + s, 0);
+    }
+    corner->vector[CORNER_VECTORS - 1] = model->vectors++;
+    corner_orient(corner);
+    return HOBE_OK;
+}
+
+/* Positions are shared; so are slopes y, z of parallel beams, and slope x and further modes where
+ * the beams are alike. */
 static enum hobe_status join_one(hobe_model *model, const struct hobe_join *join,
                                  struct hobe_error *err)
 {
-    const struct beam *beam[2];
-    int e[2], node[2];
-    for (int i = 0; i < 2; i++) {
-        beam[i] = model_find_beam(model, join->beam[i], join->where, err);
-        if (!beam[i])
-            return HOBE_UNKNOWN;
-        if (join->at[i] != 0 && join->at[i] != 1)
-            return hobe_fail(err, HOBE_BAD_INPUT, join->where,
-                             "beams are joined at their ends: at must be 0 or 1, got %g",
-                             join->at[i]);
-        node[i] = node_at(beam[i], join->at[i], &e[i]);
-    }
-    if (beam[0] == beam[1])
-        return hobe_fail(err, HOBE_BAD_INPUT, join->where, "beam \"%s\" is joined to itself",
-                         beam[0]->name);
-    if (check_join(join, beam, err))
-        return HOBE_BAD_INPUT;
-    const int alike = same_beam(beam[0], beam[1]);
-    for (int v = 0; v < beam[0]->kernel->vectors; v++) {
-        const struct hobe_vector *is = beam[0]->kernel->vector + v;
-        if (is->node != node[0] || (!alike && (is->mode > 2 || is->slope)))
-            continue;
-        const int w = hobe_kernel_vector(beam[1]->kernel, node[1], is->mode, is->slope);
-        if (w < 0)
-            continue;
-        const long p = representative(model, beam[0]->first + (long)e[0] * beam[0]->step + v);
-        const long q = representative(model, beam[1]->first + (long)e[1] * beam[1]->step + w);
-        model->alias[p > q ? p : q] = p > q ? q : p;
+    struct joined end[2];
+    const enum hobe_status status = find_joined(model, join, end, err);
+    if (status)
+        return status;
+    share(model, end, 0, 0);
+    if (!parallel(end[0].beam, end[1].beam))
+        return add_corner(model, end, err);
+    share(model, end, 1, 0);
+    share(model, end, 2, 0);
+    for (int m = 0; same_beam(end[0].beam, end[1].beam) && m < end[0].beam->kernel->modes; m++) {
+        share(model, end, m, 0);
+        share(model, end, m, 1);
     }
     return HOBE_OK;
 }
@@ -522,6 +565,12 @@ static enum hobe_status apply_joins(hobe_model *model, struct hobe_error *err)
     }
     for (long v = 0; v < model->vectors; v++)
         model->alias[v] = representative(model, v);
+    for (size_t i = 0; i < model->corners.count; i++) {
+        struct corner *c = model_corner(model, i);
+        for (int v = 0; v < CORNER_VECTORS - 1; v++)
+            c->vector[v] =
+                model_vector(model, c->beam[v / 2], c->element[v / 2], c->slope[v / 2][v % 2]);
+    }
     return HOBE_OK;
 }
 
@@ -633,6 +682,6 @@ enum hobe_status hobe_model_build(hobe_model *model, struct hobe_error *err)
     const double start = hobe_seconds();
     model->failed = build(model, err);
     model->built = !model->failed;
-    model->setup = hobe_seconds() - start;
+    model->setup += hobe_seconds() - start;
     return model->failed;
 }

@@ -5,7 +5,7 @@
  * first + e * step + (0 .. V-1), so that neighbours share those of their common node.  A join
  * makes a vector stand for another (`alias`); a vector that is neither an alias nor held has a
  * number `unknown` >= 0, and its three components are the scalar unknowns 3 * unknown + 0, 1, 2.
- * States u hold displacements of all vectors, [vectors][3]. */
+ * States u hold displacements of all vectors, and then the Lagrange multipliers, [vectors][3]. */
 #ifndef HOBE_MODEL_H
 #define HOBE_MODEL_H
 
@@ -52,15 +52,17 @@ struct workspace { /* of one batch, large enough for every beam */
 
 struct hobe_model {
     struct list beams, clamps, forces, moments, joins; /* struct beam, hobe_clamp, ... */
+    struct list corners;                               /* struct corner (constraint.h) */
     double gravity[3];
     const char *gravity_where;
     int built;
     enum hobe_status failed; /* a failed build is not tried again */
-    long vectors;
-    long *alias, *unknown; /* [vectors] */
-    unsigned char *held;   /* [vectors] */
-    long unknowns;         /* vectors solved for */
-    double *dead;          /* [vectors][3] forces that do not depend on the state */
+    long beam_vectors;       /* those of the beams */
+    long vectors;            /* and the blocks of multipliers behind them */
+    long *alias, *unknown;   /* [vectors] */
+    unsigned char *held;     /* [vectors] */
+    long unknowns;           /* vectors solved for */
+    double *dead;            /* [vectors][3] forces that do not depend on the state */
     struct pattern pattern;
     hobe_linsolve *solver;
     struct workspace work;

@@ -6,9 +6,11 @@
  * forces on positions and on slopes of any mode the same unit (root of energy); the tangent is
  * scaled by the same D before it is factored. */
 #include "assemble.h"
+#include "constraint.h"
 #include "load.h"
 #include "solution.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -23,8 +25,9 @@ static const double DEFAULT_TOLERANCE = 1e-9, DEFAULT_SMALLEST_STEP = 1e-4;
 /* A residual this much above the load's is hopeless: the iteration has left. */
 static const double DIVERGED = 1e12;
 
-/* |du.r| this far below its first value is round-off: no further digit can be won. */
-static const double ENERGY_FLOOR = 1e-26;
+/* The residual moves by |D K eps u| when u is rounded.  An iteration that stalls within a few times
+ * that has won every digit there is. */
+static const double ROUND_OFF = 8 * DBL_EPSILON;
 
 struct solver {
     hobe_model *model;
@@ -80,6 +83,20 @@ static double scaled_norm(const struct solver *s, const double *field)
     return sqrt(sum);
 }
 
+/* |D^-1 u| = |D diag(K_0) u| over the unknowns. */
+static double stiff_norm(const struct solver *s)
+{
+    const hobe_model *model = s->model;
+    double sum = 0;
+    for (long v = 0; v < model->vectors; v++)
+        if (model->unknown[v] >= 0)
+            for (int a = 0; a < 3; a++) {
+                const double x = s->u[3 * v + a] / s->scale[3 * model->unknown[v] + a];
+                sum += x * x;
+            }
+    return sqrt(sum);
+}
+
 /* du . r */
 static double work_of(const struct solver *s)
 {
@@ -96,12 +113,13 @@ static double work_of(const struct solver *s)
 static void evaluate(struct solver *s, double factor, int with_tangent)
 {
     assemble(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
+    constraint_add(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
     load_subtract(s->model, s->u, factor, s->r, with_tangent ? s->Ax : NULL);
 }
 
 /* ---- one step -------------------------------------------------------------------------------- */
 
-enum outcome { CONVERGED, FAILED, ERROR };
+enum outcome { CONVERGED, GOING_ON, FAILED, ERROR };
 
 /* Solves K dx = -r. */
 static enum outcome solve_correction(struct solver *s, struct hobe_error *err)
@@ -109,8 +127,10 @@ static enum outcome solve_correction(struct solver *s, struct hobe_error *err)
     const enum hobe_status status =
         hobe_linsolve_factor(s->model->solver, s->Ax, s->scale, &s->singular, err);
     s->info.factorisations++;
-    if (status == HOBE_SINGULAR)
+    if (status == HOBE_SINGULAR) {
+        log_line(s, "singular tangent");
         return FAILED;
+    }
     if (status)
         return ERROR;
     restrict_to_unknowns(s->model, s->r, s->x);
@@ -134,36 +154,41 @@ static void search_line(struct solver *s, double factor)
     s->now.line = taken;
 }
 
+/* Whether the iteration is over, and how. */
+static enum outcome judge(struct solver *s, double norm, double last_norm)
+{
+    s->now.residual = s->info.residual = norm / s->load_norm;
+    if (s->now.residual <= s->options.tolerance) {
+        log_line(s, "converged");
+        return CONVERGED;
+    }
+    if (!(s->now.residual < DIVERGED)) {
+        log_line(s, "diverged");
+        return FAILED;
+    }
+    if (norm > 0.5 * last_norm && norm <= ROUND_OFF * stiff_norm(s)) {
+        log_line(s, "converged to round-off");
+        return CONVERGED;
+    }
+    log_line(s, "");
+    return GOING_ON;
+}
+
 /* Newton from the current state to equilibrium at a load factor. */
 static enum outcome iterate(struct solver *s, double factor, int line_search,
                             struct hobe_error *err)
 {
-    double first_energy = 0;
+    double first_energy = 0, last_norm = INFINITY;
     s->now.load = factor;
-    s->now.line = 1;
-    s->now.energy = 1;
-    for (int i = 0; i <= s->options.max_iterations; i++) {
+    s->now.line = s->now.energy = 1;
+    for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
         evaluate(s, factor, 1);
         const double norm = scaled_norm(s, s->r);
-        s->now.iteration = i;
-        s->now.residual = norm / s->load_norm;
-        s->info.residual = s->now.residual;
-        if (s->now.residual <= s->options.tolerance) {
-            log_line(s, "converged");
-            return CONVERGED;
-        }
-        if (!(s->now.residual < DIVERGED)) {
-            log_line(s, "diverged");
-            return FAILED;
-        }
-        if (i > 1 && s->now.energy <= ENERGY_FLOOR) {
-            log_line(s, "converged to round-off");
-            return CONVERGED;
-        }
-        log_line(s, "");
-        const enum outcome outcome = solve_correction(s, err);
-        if (outcome == FAILED)
-            log_line(s, "singular tangent");
+        enum outcome outcome = judge(s, norm, last_norm);
+        if (outcome != GOING_ON)
+            return outcome;
+        last_norm = norm;
+        outcome = solve_correction(s, err);
         if (outcome != CONVERGED)
             return outcome;
         s->info.iterations++;
@@ -269,17 +294,25 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
     return HOBE_OK;
 }
 
-/* D = diag(K)^(-1/2) and the norm of the load, both at the reference. */
+/* D = diag(K)^(-1/2) and the norm of the load, both at the reference.  A multiplier has no
+ * diagonal: its row is scaled to entries of order one. */
 static void set_scale(struct solver *s)
 {
     const struct pattern *p = &s->model->pattern;
     evaluate(s, 1, 1);
-    for (long j = 0; j < 3 * p->blocks; j++) {
-        s->scale[j] = 1;
-        for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++)
-            if (p->Ai[k] == j && s->Ax[k] != 0)
-                s->scale[j] = 1 / sqrt(fabs(s->Ax[k]));
-    }
+    for (int multipliers = 0; multipliers < 2; multipliers++)
+        for (long j = 0; j < 3 * p->blocks; j++) {
+            double diagonal = 0, largest = 0;
+            for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++) {
+                if (p->Ai[k] == j)
+                    diagonal = fabs(s->Ax[k]);
+                largest = fmax(largest, s->scale[p->Ai[k]] * fabs(s->Ax[k]));
+            }
+            if (!multipliers && diagonal > 0)
+                s->scale[j] = 1 / sqrt(diagonal);
+            else if (multipliers && diagonal == 0)
+                s->scale[j] = largest > 0 ? 1 / largest : 1;
+        }
     s->load_norm = scaled_norm(s, s->r); /* F = 0 at the reference */
 }
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pattern.h"
 
+#include "constraint.h"
+
 #include <stdlib.h>
 
 void pattern_free(struct pattern *p)
@@ -18,8 +20,8 @@ static long unknown(const struct hobe_model *model, const struct beam *beam, int
     return model->unknown[model_vector(model, beam, e, v)];
 }
 
-/* Calls visit for every pair of unknown vectors (i, j) that an element couples, repeats included.
- */
+/* Calls visit for every pair of unknown vectors (i, j) that an element or a joint couples, repeats
+ * included. */
 static void each_pair(const struct hobe_model *model, void (*visit)(struct pattern *, long, long),
                       struct pattern *pattern)
 {
@@ -32,6 +34,15 @@ static void each_pair(const struct hobe_model *model, void (*visit)(struct patte
                     if (i >= 0 && j >= 0)
                         visit(pattern, i, j);
                 }
+    }
+    for (size_t n = 0; n < model->corners.count; n++) {
+        const struct corner *c = model_corner(model, n);
+        for (int w = 0; w < CORNER_VECTORS; w++)
+            for (int v = 0; v < CORNER_VECTORS; v++) {
+                const long i = model->unknown[c->vector[v]], j = model->unknown[c->vector[w]];
+                if (i >= 0 && j >= 0)
+                    visit(pattern, i, j);
+            }
     }
 }
 
@@ -113,6 +124,15 @@ static enum hobe_status scatter_map(const struct hobe_model *model, struct beam 
     return HOBE_OK;
 }
 
+static void corner_map(const struct hobe_model *model, struct corner *c)
+{
+    for (int v = 0; v < CORNER_VECTORS; v++)
+        for (int w = 0; w < CORNER_VECTORS; w++) {
+            const long i = model->unknown[c->vector[v]], j = model->unknown[c->vector[w]];
+            c->block[v][w] = i >= 0 && j >= 0 ? find_block(&model->pattern, i, j) : -1;
+        }
+}
+
 enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
 {
     struct pattern *p = &model->pattern;
@@ -131,5 +151,7 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
     enum hobe_status status = scalar_columns(p, err);
     for (size_t b = 0; !status && b < model->beams.count; b++)
         status = scatter_map(model, model_beam(model, b), err);
+    for (size_t i = 0; !status && i < model->corners.count; i++)
+        corner_map(model, model_corner(model, i));
     return status;
 }

@@ -10,9 +10,13 @@
 #include <string.h>
 
 enum {
-    WARPING_POINTS = 48, /* Gauss points per direction for w: J to 1e-9, see tests/runtime */
-    PAPER_POINTS = 3     /* Tang et al. 2022 */
+    WARPING_POINTS = 48, /* Gauss points per side for w: J to 1e-8, see tests/runtime */
+    PAPER_POINTS = 3,    /* Tang et al. 2022 */
+    MAX_POINTS = 3 * WARPING_POINTS
 };
+
+/* w of a rectangle differs from -+ y z within about one width of its short ends only. */
+static const double SLENDER = 4, END_WIDTHS = 2;
 
 /* The series of eq. 33 with the sine along one side and the hyperbolic sine along the other:
  *
@@ -58,6 +62,8 @@ static void warping(const struct series *w, double y, double z, double *f)
         const double a = n * M_PI / w->sine, far = exp(-a * w->hyperbolic);
         /* sinh(a t)/cosh(a T/2) and cosh(a t)/cosh(a T/2) without overflow */
         const double grow = exp(a * (fabs(t) - w->hyperbolic / 2)) / (1 + far);
+        if (grow < 1e-18)
+            break; /* as is every further term */
         const double decay = exp(-2 * a * fabs(t));
         const double sinh_t = copysign(grow * (1 - decay), t), cosh_t = grow * (1 + decay);
         const double c = (i % 2 ? 8.0 : -8.0) * w->sine * w->sine / (pow(n, 3) * pow(M_PI, 3));
@@ -93,30 +99,68 @@ enum hobe_status hobe_gauss(int n, double (*gauss)[2], struct hobe_error *err)
     return HOBE_OK;
 }
 
-/* n x n Gauss points over the rectangle with the values of `functions` section functions. */
+/* A rule on one side of the rectangle, from its centre. */
+struct side {
+    int points;
+    double at[MAX_POINTS][2]; /* position, weight, m */
+};
+
+/* n Gauss points on [from, to]. */
+static enum hobe_status add_panel(struct side *side, int n, double from, double to,
+                                  struct hobe_error *err)
+{
+    double(*gauss)[2] = side->at + side->points;
+    const enum hobe_status status = hobe_gauss(n, gauss, err);
+    for (int i = 0; !status && i < n; i++) {
+        gauss[i][0] = from + (to - from) * gauss[i][0];
+        gauss[i][1] *= to - from;
+    }
+    side->points += n;
+    return status;
+}
+
+/* n Gauss points on a side; three panels on a long one where w has its boundary layers. */
+static enum hobe_status side_rule(struct side *side, int n, double length, double other,
+                                  int boundary_layers, struct hobe_error *err)
+{
+    const double half = length / 2, inner = half - END_WIDTHS * other;
+    side->points = 0;
+    if (!boundary_layers || length < SLENDER * other || inner <= 0)
+        return add_panel(side, n, -half, half, err);
+    enum hobe_status status = add_panel(side, n, -half, -inner, err);
+    if (!status)
+        status = add_panel(side, n, -inner, inner, err);
+    return status ? status : add_panel(side, n, inner, half, err);
+}
+
+/* The product of n Gauss points per side with the values of `functions` section functions. */
 static enum hobe_status product_rule(const hobe_section *section, const struct series *series,
                                      int functions, int n, struct hobe_rule *rule,
                                      struct hobe_error *err)
 {
-    double(*gauss)[2] = hobe_alloc((size_t)n, sizeof *gauss, err);
+    const double W = section->width, H = section->height;
+    const int layers = functions && n == WARPING_POINTS;
+    struct side y, z;
     *rule = (struct hobe_rule){0};
-    rule->point = gauss ? hobe_alloc((size_t)(n * n), sizeof *rule->point, err) : NULL;
-    if (!rule->point || hobe_gauss(n, gauss, err)) {
-        hobe_free(gauss);
-        hobe_rule_free(rule);
+    enum hobe_status status = side_rule(&y, n, W, H, layers, err);
+    if (!status)
+        status = side_rule(&z, n, H, W, layers, err);
+    if (status)
+        return status;
+    const size_t points = (size_t)y.points * (size_t)z.points;
+    rule->point = hobe_alloc(points, sizeof *rule->point, err);
+    if (!rule->point)
         return HOBE_NO_MEMORY;
-    }
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            struct hobe_section_point *p = rule->point + i * n + j;
-            p->y = (gauss[i][0] - 0.5) * section->width;
-            p->z = (gauss[j][0] - 0.5) * section->height;
-            p->weight = gauss[i][1] * gauss[j][1] * section->width * section->height;
+    rule->rule = (struct hobe_section_rule){(int)points, rule->point};
+    struct hobe_section_point *p = rule->point;
+    for (int i = 0; i < y.points; i++)
+        for (int j = 0; j < z.points; j++, p++) {
+            p->y = y.at[i][0];
+            p->z = z.at[j][0];
+            p->weight = y.at[i][1] * z.at[j][1];
             if (functions)
                 warping(series, p->y, p->z, p->f[0]);
         }
-    hobe_free(gauss);
-    rule->rule = (struct hobe_section_rule){n * n, rule->point};
     return HOBE_OK;
 }
 
