@@ -135,7 +135,7 @@ static void strain_rows(const double (*phi)[3], double weight, double *en, doubl
         }
 }
 
-/* Q += weight * sum_ab e_a C_ab e_b' over the rows e. */
+/* Q += weight * sum_ab e_a C_ab e_b' over the rows e, lower triangle. */
 static void add_law(double *Qn, double *Qs, const double *en, const double *es,
                     const double normal[3][3], const double shear[3], double weight)
 {
@@ -145,15 +145,22 @@ static void add_law(double *Qn, double *Qs, const double *en, const double *es,
             for (int b = 0; b < 3; b++)
                 h[a] += weight * normal[a][b] * en[b * NN + r];
         h[3] = weight * shear[0] * en[3 * NN + r];
-        for (int c = 0; c < NN; c++)
+        for (int c = 0; c <= r; c++)
             Qn[r * NN + c] += h[0] * en[c] + h[1] * en[NN + c] + h[2] * en[2 * NN + c] +
                               h[3] * en[3 * NN + c];
     }
     for (int r = 0; r < NS; r++) {
         const double h[2] = {weight * shear[1] * es[r], weight * shear[2] * es[NS + r]};
-        for (int c = 0; c < NS; c++)
+        for (int c = 0; c <= r; c++)
             Qs[r * NS + c] += h[0] * es[c] + h[1] * es[NS + c];
     }
+}
+
+static void mirror(double *Q, int n)
+{
+    for (int r = 0; r < n; r++)
+        for (int c = 0; c < r; c++)
+            Q[c * n + r] = Q[r * n + c];
 }
 
 /* Section part: Q of the law at each point and of the law on the mean strain. */
@@ -188,6 +195,8 @@ static void section_law(struct hobe_invariants *inv, const struct hobe_section_r
         strain_rows((const double(*)[3])phi, at->weight / total, en, es);
     }
     add_law(inv->Qn, inv->Qs, en, es, law->mean_normal, law->mean_shear, area);
+    mirror(inv->Qn, NN);
+    mirror(inv->Qs, NS);
     inv->step_n = inv->step_s = 0;
 }
 
@@ -301,18 +310,20 @@ static void stress(const double *Qn, const double *Qs, const hobe_real *n, const
                           hobe_real *tn, hobe_real *ts)
 {
     for (int r = 0; r < NN; r++) {
-        hobe_real sum = zero;
-        for (int c = 0; c < NN; c++) {
-            sum += Qn[r * NN + c] * n[c];
+        tn[r] = zero;
+    }
+    for (int c = 0; c < NN; c++) {
+        for (int r = 0; r < NN; r++) {
+            tn[r] += Qn[c * NN + r] * n[c];
         }
-        tn[r] = sum;
     }
     for (int r = 0; r < NS; r++) {
-        hobe_real sum = zero;
-        for (int c = 0; c < NS; c++) {
-            sum += Qs[r * NS + c] * s[c];
+        ts[r] = zero;
+    }
+    for (int c = 0; c < NS; c++) {
+        for (int r = 0; r < NS; r++) {
+            ts[r] += Qs[c * NS + r] * s[c];
         }
-        ts[r] = sum;
     }
 }
 

@@ -73,18 +73,18 @@ def _differences():
 
 def _stress():
     def product(size, q, s, sigma):
-        return loop(
-            "r", size,
-            Do("hobe_real sum = zero;"),
-            loop("c", size, Do(f"sum += {q}[r * {size} + c] * {s}[c];")),
-            Do(f"{sigma}[r] = sum;"))
+        """By columns of the symmetric Q: independent sums, where rows would wait for each other."""
+        return (
+            loop("r", size, Do(f"{sigma}[r] = zero;")),
+            loop("c", size, loop("r", size, Do(f"{sigma}[r] += {q}[c * {size} + r] * {s}[c];"))),
+        )
 
     return Function(
         "stress",
         "(const double *Qn, const double *Qs, const hobe_real *n, const hobe_real *s,\n"
         "                          hobe_real *tn, hobe_real *ts)",
         "sigma = Q s, the stress resultants conjugate to the Gram differences",
-        (product("NN", "Qn", "n", "tn"), product("NS", "Qs", "s", "ts")))
+        (*product("NN", "Qn", "n", "tn"), *product("NS", "Qs", "s", "ts")))
 
 
 def _section_force():

@@ -235,25 +235,35 @@ static enum hobe_status check_rest(hobe_element *element, struct hobe_error *err
     return status;
 }
 
-/* The check depends on the element's proportions alone and a long element's softest modes drown in
- * round-off, so that it is made on one at most 20 heights long. */
-static enum hobe_status check_at_rest(hobe_element *element,
-                                      const struct hobe_element_options *options,
-                                      struct hobe_error *err)
+/* The check depends on the element's proportions alone, and the softest modes of a long element
+ * drown in round-off, so that it is made on one at most 20 heights long: the same section law with
+ * its axial part done again. */
+static enum hobe_status check_at_rest(hobe_element *element, struct hobe_error *err)
 {
+    const struct hobe_kernel *k = element->kernel;
     struct hobe_section_properties p;
-    hobe_section_properties(options->section, &p);
-    const double longest = 20 * fmax(p.width, p.height);
-    if (options->length <= longest)
+    hobe_section_properties(element->section, &p);
+    const double longest = 20 * fmax(p.width, p.height),
+                 scale = longest / element->invariants.length;
+    if (scale >= 1)
         return check_rest(element, err);
     hobe_element shorter = *element;
-    struct hobe_element_options proportion = *options;
-    proportion.length = longest;
-    enum hobe_status status = fill_invariants(&shorter, &proportion, err);
-    if (!status)
-        status = check_rest(&shorter, err);
-    hobe_free(shorter.numbers);
+    struct hobe_invariants *inv = &shorter.invariants;
+    const size_t G = (size_t)inv->stations, V = (size_t)k->vectors;
+    double *axis = hobe_alloc(G + 2 * G * V, sizeof *axis, err);
+    if (!axis)
+        return HOBE_NO_MEMORY;
+    inv->length = longest;
+    inv->wx = axis;
+    inv->N = axis + G;
+    inv->Nx = inv->N + G * V;
+    for (size_t g = 0; g < G; g++) {
+        inv->wx[g] = element->invariants.wx[g] * scale;
+        k->shape(inv->xi[g], longest, inv->N + V * g, inv->Nx + V * g);
+    }
+    const enum hobe_status status = check_rest(&shorter, err);
     element->rest = shorter.rest;
+    hobe_free(axis);
     return status;
 }
 
@@ -281,7 +291,7 @@ hobe_element *hobe_element_new(const struct hobe_element_options *options, struc
     element->mechanics =
         options->mechanics ? options->mechanics : hobe_mechanics_find(options->kernel->mechanics);
     if (fill_invariants(element, options, err) || find_dropped(element, err) ||
-        check_at_rest(element, options, err)) {
+        check_at_rest(element, err)) {
         hobe_element_free(element);
         return NULL;
     }

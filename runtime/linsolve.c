@@ -8,6 +8,9 @@
 extern void dsyev_(const char *job, const char *triangle, const int *n, double *A, const int *lda,
                    double *w, double *work, const int *lwork, int *info);
 
+/* OpenBLAS: threads, which the small matrices here only wait for.  Other BLAS have no such call. */
+extern void openblas_set_num_threads(int threads) __attribute__((weak));
+
 _Static_assert(sizeof(SuiteSparse_long) == sizeof(long), "long is SuiteSparse's 64-bit index");
 
 struct hobe_linsolve {
@@ -102,6 +105,8 @@ enum hobe_status hobe_eigenvalues(int n, double *A, double *eigenvalue, struct h
 {
     double best;
     int info, lwork = -1;
+    if (openblas_set_num_threads)
+        openblas_set_num_threads(1);
     dsyev_("N", "L", &n, A, &n, eigenvalue, &best, &lwork, &info);
     lwork = (int)best;
     double *work = hobe_alloc((size_t)lwork, sizeof *work, err);

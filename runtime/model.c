@@ -69,7 +69,8 @@ void hobe_model_free(hobe_model *model)
         return;
     for (size_t i = 0; i < model->beams.count; i++) {
         struct beam *beam = model_beam(model, i);
-        hobe_element_free(beam->element);
+        if (!beam->borrowed)
+            hobe_element_free(beam->element);
         hobe_free(beam->name);
         hobe_free(beam->q0);
         hobe_free(beam->q0_lanes);
@@ -150,25 +151,50 @@ static enum hobe_status set_frame(struct beam *beam, struct hobe_error *err)
     return HOBE_OK;
 }
 
-/* The element and its reference, in one lane and in all. */
-static enum hobe_status prepare(struct beam *beam, struct hobe_error *err)
+/* Sections and materials alike, so that one law serves both. */
+static int same_law(const struct hobe_beam *a, const struct hobe_beam *b)
+{
+    const struct hobe_material *m = &a->material, *n = &b->material;
+    return a->kernel == b->kernel && a->section == b->section && a->mechanics == b->mechanics &&
+           a->integration == b->integration && m->E == n->E && m->nu == n->nu && m->rho == n->rho &&
+           m->k2 == n->k2 && m->k3 == n->k3;
+}
+
+/* Elements of equal law and length are one: beams share it. */
+static enum hobe_status find_element(const hobe_model *model, struct beam *beam,
+                                     struct hobe_error *err)
 {
     const struct hobe_beam *s = &beam->spec;
-    const size_t n = 3 * (size_t)s->kernel->vectors;
-    struct hobe_element_options options = {.kernel = s->kernel,
-                                           .section = s->section,
-                                           .material = s->material,
-                                           .length = beam->length / s->elements,
-                                           .mechanics = s->mechanics,
-                                           .integration = s->integration};
-    beam->kernel = s->kernel;
-    beam->step = hobe_kernel_step(s->kernel);
-    beam->element = hobe_element_new(&options, err);
-    if (!beam->element) {
-        if (err)
-            err->where = s->where;
-        return err ? err->status : HOBE_BAD_INPUT;
+    const double length = beam->length / s->elements;
+    for (size_t i = 0; i + 1 < model->beams.count; i++) {
+        const struct beam *other = model_beam(model, i);
+        if (same_law(s, &other->spec) && length == other->length / other->spec.elements) {
+            beam->element = other->element;
+            beam->borrowed = 1;
+            return HOBE_OK;
+        }
     }
+    beam->element = hobe_element_new(&(struct hobe_element_options){.kernel = s->kernel,
+                                                                    .section = s->section,
+                                                                    .material = s->material,
+                                                                    .length = length,
+                                                                    .mechanics = s->mechanics,
+                                                                    .integration = s->integration},
+                                     err);
+    if (!beam->element && err)
+        err->where = s->where;
+    return beam->element ? HOBE_OK : err ? err->status : HOBE_BAD_INPUT;
+}
+
+/* The element and its reference, in one lane and in all. */
+static enum hobe_status prepare(const hobe_model *model, struct beam *beam, struct hobe_error *err)
+{
+    const size_t n = 3 * (size_t)beam->spec.kernel->vectors;
+    beam->kernel = beam->spec.kernel;
+    beam->step = hobe_kernel_step(beam->kernel);
+    const enum hobe_status status = find_element(model, beam, err);
+    if (status)
+        return status;
     beam->q0 = hobe_alloc(n, sizeof(double), err);
     beam->q0_lanes = hobe_alloc(n, sizeof(hobe_lanes), err);
     if (!beam->q0 || !beam->q0_lanes)
@@ -204,7 +230,7 @@ enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec
     const double start = hobe_seconds();
     enum hobe_status status = set_frame(beam, err);
     if (!status)
-        status = prepare(beam, err);
+        status = prepare(model, beam, err);
     model->setup += hobe_seconds() - start;
     return status;
 }
@@ -445,14 +471,6 @@ static enum hobe_status hold_clamps(hobe_model *model, struct hobe_error *err)
 
 /* ---- joins ---------------------------------------------------------------------------------- */
 
-/* Sections and materials alike, so that strain and warping go through continuously. */
-static int same_beam(const struct beam *a, const struct beam *b)
-{
-    return a->kernel == b->kernel && a->spec.section == b->spec.section &&
-           a->spec.mechanics == b->spec.mechanics &&
-           memcmp(&a->spec.material, &b->spec.material, sizeof a->spec.material) == 0;
-}
-
 /* One end of a join, resolved. */
 struct joined {
     const struct beam *beam;
@@ -548,7 +566,8 @@ static enum hobe_status join_one(hobe_model *model, const struct hobe_join *join
         return add_corner(model, end, err);
     share(model, end, 1, 0);
     share(model, end, 2, 0);
-    for (int m = 0; same_beam(end[0].beam, end[1].beam) && m < end[0].beam->kernel->modes; m++) {
+    for (int m = 0;
+         same_law(&end[0].beam->spec, &end[1].beam->spec) && m < end[0].beam->kernel->modes; m++) {
         share(model, end, m, 0);
         share(model, end, m, 1);
     }

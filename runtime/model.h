@@ -16,6 +16,7 @@ struct beam {
     struct hobe_beam spec;
     char *name;
     hobe_element *element;
+    int borrowed; /* the element is an earlier beam's */
     const struct hobe_kernel *kernel;
     double frame[3][3]; /* rows e_x, e_y, e_z in the reference */
     double length;      /* of the beam, m */

@@ -12,6 +12,7 @@
 enum {
     WARPING_POINTS = 48, /* Gauss points per side for w: J to 1e-8, see tests/runtime */
     PAPER_POINTS = 3,    /* Tang et al. 2022 */
+    MAX_TERMS = 150,     /* the torsion constant's tail is below 1/(8 (2 n)^4): 2e-11 */
     MAX_POINTS = 3 * WARPING_POINTS
 };
 
@@ -29,27 +30,29 @@ static const double SLENDER = 4, END_WIDTHS = 2;
 struct series {
     int terms;
     int sine_along_y;
-    double sine, hyperbolic; /* S, T */
+    double sine, hyperbolic;           /* S, T */
+    double a[MAX_TERMS], c[MAX_TERMS]; /* n pi/S; c_n cosh(n pi T/(2S)) */
 };
 
 struct hobe_section {
     double width, height;
-    enum hobe_warping warping;
-    struct series series;
+    struct series series, paper_series;
+    struct hobe_rule warping_rule; /* for w by `series`, kept because w costs most of the set-up */
     struct hobe_section_properties properties;
     char text[160];
 };
 
-static struct series choose_series(double width, double height, enum hobe_warping warping)
+static void set_series(struct series *w, double width, double height, enum hobe_warping warping)
 {
-    const int along_y = warping == HOBE_WARPING_SERIES && width < height;
-    return (struct series){
-        /* the torsion constant's tail after N odd terms is below 1/(8 (2N)^4): 1e-11 at 150 */
-        .terms = warping == HOBE_WARPING_PAPER ? 1 : 150,
-        .sine_along_y = along_y,
-        .sine = along_y ? width : height,
-        .hyperbolic = along_y ? height : width,
-    };
+    w->terms = warping == HOBE_WARPING_PAPER ? 1 : MAX_TERMS;
+    w->sine_along_y = warping == HOBE_WARPING_SERIES && width < height;
+    w->sine = w->sine_along_y ? width : height;
+    w->hyperbolic = w->sine_along_y ? height : width;
+    for (int i = 0; i < w->terms; i++) {
+        const double n = 2 * i + 1, pi_n = M_PI * n;
+        w->a[i] = pi_n / w->sine;
+        w->c[i] = (i % 2 ? 8.0 : -8.0) * w->sine * w->sine / (pi_n * pi_n * pi_n);
+    }
 }
 
 /* w and its gradient at (y, z): f[3]. */
@@ -58,18 +61,16 @@ static void warping(const struct series *w, double y, double z, double *f)
     const double s = w->sine_along_y ? y : z, t = w->sine_along_y ? z : y;
     double sum = 0, sum_s = 0, sum_t = 0;
     for (int i = 0; i < w->terms; i++) {
-        const int n = 2 * i + 1;
-        const double a = n * M_PI / w->sine, far = exp(-a * w->hyperbolic);
+        const double a = w->a[i], far = exp(-a * w->hyperbolic);
         /* sinh(a t)/cosh(a T/2) and cosh(a t)/cosh(a T/2) without overflow */
         const double grow = exp(a * (fabs(t) - w->hyperbolic / 2)) / (1 + far);
         if (grow < 1e-18)
             break; /* as is every further term */
         const double decay = exp(-2 * a * fabs(t));
         const double sinh_t = copysign(grow * (1 - decay), t), cosh_t = grow * (1 + decay);
-        const double c = (i % 2 ? 8.0 : -8.0) * w->sine * w->sine / (pow(n, 3) * pow(M_PI, 3));
-        sum += c * sin(a * s) * sinh_t;
-        sum_s += c * a * cos(a * s) * sinh_t;
-        sum_t += c * a * sin(a * s) * cosh_t;
+        sum += w->c[i] * sin(a * s) * sinh_t;
+        sum_s += w->c[i] * a * cos(a * s) * sinh_t;
+        sum_t += w->c[i] * a * sin(a * s) * cosh_t;
     }
     const double sign = w->sine_along_y ? -1 : 1;
     f[0] = sign * (y * z + sum);
@@ -181,11 +182,16 @@ static enum hobe_status check_functions(const struct hobe_kernel *kernel, struct
     return HOBE_OK;
 }
 
-static struct series series_for(const hobe_section *section, enum hobe_integration integration)
+static enum hobe_status copy_rule(const struct hobe_rule *from, struct hobe_rule *to,
+                                  struct hobe_error *err)
 {
-    return integration == HOBE_INTEGRATION_PAPER
-               ? choose_series(section->width, section->height, HOBE_WARPING_PAPER)
-               : section->series;
+    const size_t points = (size_t)from->rule.points;
+    to->point = hobe_alloc(points, sizeof *to->point, err);
+    if (!to->point)
+        return HOBE_NO_MEMORY;
+    memcpy(to->point, from->point, points * sizeof *to->point);
+    to->rule = (struct hobe_section_rule){from->rule.points, to->point};
+    return HOBE_OK;
 }
 
 enum hobe_status hobe_section_rule(const hobe_section *section, const struct hobe_kernel *kernel,
@@ -195,13 +201,13 @@ enum hobe_status hobe_section_rule(const hobe_section *section, const struct hob
     *rule = (struct hobe_rule){0};
     if (check_functions(kernel, err))
         return HOBE_UNKNOWN;
-    const struct series series = series_for(section, integration);
-    int n = 2 * kernel->degree + 1; /* exact for degree 4 * kernel->degree */
-    if (kernel->functions)
-        n = WARPING_POINTS;
     if (integration == HOBE_INTEGRATION_PAPER)
-        n = PAPER_POINTS;
-    return product_rule(section, &series, kernel->functions, n, rule, err);
+        return product_rule(section, &section->paper_series, kernel->functions, PAPER_POINTS, rule,
+                            err);
+    if (kernel->functions)
+        return copy_rule(&section->warping_rule, rule, err);
+    const int exact = 2 * kernel->degree + 1; /* for polynomials of degree 4 * kernel->degree */
+    return product_rule(section, NULL, 0, exact, rule, err);
 }
 
 enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_kernel *kernel,
@@ -211,8 +217,9 @@ enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_k
     *rule = (struct hobe_rule){0};
     if (check_functions(kernel, err))
         return HOBE_UNKNOWN;
-    const struct series series = series_for(section, integration);
-    return product_rule(section, &series, kernel->functions, 1, rule, err);
+    const int paper = integration == HOBE_INTEGRATION_PAPER;
+    return product_rule(section, paper ? &section->paper_series : &section->series,
+                        kernel->functions, 1, rule, err);
 }
 
 /* Torsion and warping constants of the section with the warping function in use:
@@ -221,20 +228,19 @@ enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_k
 static enum hobe_status warping_constants(hobe_section *section, struct hobe_error *err)
 {
     struct hobe_section_properties *p = &section->properties;
-    struct hobe_rule rule;
-    if (product_rule(section, &section->series, 1, WARPING_POINTS, &rule, err))
-        return HOBE_NO_MEMORY;
+    struct hobe_rule *rule = &section->warping_rule;
+    const enum hobe_status status =
+        product_rule(section, &section->series, 1, WARPING_POINTS, rule, err);
     double b = 0, c = 0;
-    for (int i = 0; i < rule.rule.points; i++) {
-        const struct hobe_section_point *at = rule.point + i;
+    for (int i = 0; !status && i < rule->rule.points; i++) {
+        const struct hobe_section_point *at = rule->point + i;
         const double *f = at->f[0];
         b += at->weight * (at->z * f[1] - at->y * f[2]);
         c += at->weight * (f[1] * f[1] + f[2] * f[2]);
         p->Iw += at->weight * f[0] * f[0];
     }
-    hobe_rule_free(&rule);
     p->J_w = p->Iyy + p->Izz - b * b / c;
-    return HOBE_OK;
+    return status;
 }
 
 hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,
@@ -252,8 +258,8 @@ hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warp
     const double A = width * height;
     section->width = width;
     section->height = height;
-    section->warping = warping;
-    section->series = choose_series(width, height, warping);
+    set_series(&section->series, width, height, warping);
+    set_series(&section->paper_series, width, height, HOBE_WARPING_PAPER);
     section->properties = (struct hobe_section_properties){
         .A = A,
         .Iyy = A * height * height / 12,
@@ -274,6 +280,8 @@ hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warp
 
 void hobe_section_free(hobe_section *section)
 {
+    if (section)
+        hobe_rule_free(&section->warping_rule);
     hobe_free(section);
 }
 

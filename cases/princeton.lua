@@ -1,0 +1,49 @@
+-- The Princeton beam: a slender cantilever bent about both axes and twisted by a dead tip load.
+--
+-- Experiment: Dowell & Traybar 1975.  Model and dimensions: Tang, Tian & Hu 2022, section 5.1
+-- (L 508 mm, section 3.2024 x 12.377 mm, E 71.7 GPa, nu 0.31, loads 4.448, 8.896, 13.345 N).
+-- Expected numbers: 24 x MGD30w integrated exactly, by an independent prototype with complex-step
+-- tangents and the Poisson coupling on the axis, which here differs from the default by 1e-5.
+local hobe = require "hobe"
+
+local P     = hobe.param("P", 13.345)                -- N
+local theta = hobe.param("angle", 30)                -- deg, 0: along the stiff axis z
+local angle = math.rad(theta)
+
+local scene = hobe.scene{
+  hobe.beam{
+    name = "blade",
+    element = hobe.param("element", "MGD30w"), elements = hobe.param("n", 24),
+    section = hobe.rectangle{ width = 3.2024e-3, height = 12.377e-3 },
+    material = { E = 71.7e9, nu = 0.31, rho = 2700 },
+    from = {0, 0, 0}, to = {0.508, 0, 0},
+    mechanics = hobe.param("mechanics", "average"),
+    integration = hobe.param("integration", "exact"),
+  },
+  hobe.clamp{ "blade", at = 0 },
+  hobe.force{ "blade", at = 1, value = {0, -P*math.sin(angle), -P*math.cos(angle)} },
+}
+
+local r = hobe.static(scene)
+local u = r:displacement("blade", 1)
+local twist = math.deg(r:twist("blade", 1))          -- of the slope r_z in the Y-Z plane
+
+if P == 13.345 and theta == 30 then
+  hobe.table{
+    title = "Tip of the Princeton beam beside other people's",
+    columns = { "", "u1, m", "u2, m", "u3, m", "twist, deg" },
+    rows = {
+      { "this run",                        u[1],      u[2],      u[3],      twist },
+      { "solid model, converged",          -0.017064, -0.117537, -0.016657, 3.270 },
+      { "SOLID95 (Tang et al., Table 7)",  nil,       nil,       -0.016698 },
+      { "BEAM188 (Table 7)",               nil,       nil,       -0.016664 },
+      { "experiment (Table 7)",            nil,       nil,       -0.016903 },
+    },
+  }
+end
+hobe.report{
+  u1    = { u[1],  "m",   expect = -1.708297739e-02, within = 1e-4 },
+  u2    = { u[2],  "m",   expect = -1.176497589e-01, within = 1e-4 },
+  u3    = { u[3],  "m",   expect = -1.659323289e-02, within = 1e-4 },
+  twist = { twist, "deg", expect = 3.23402,          within = 3e-4 },
+}
