@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The groups of checks; each is one file. */
+#ifndef HOBE_TEST_CHECKS_H
+#define HOBE_TEST_CHECKS_H
+
+#include "fixture.h"
+
+/* The evaluator against itself and against exact solutions. */
+void check_evaluator(const struct pw_element *element);
+
+/* What does not depend on the law: sizes and names, shape functions, strain, mass. */
+void check_declaration(const struct fixture *fx);
+void check_shape(const struct fixture *fx);
+void check_strain(const struct fixture *fx);
+void check_mass(const struct fixture *fx);
+
+/* Random states: against the evaluator, and identities of the quartic energy. */
+void check_values(const struct fixture *fx);
+void check_identities(const struct fixture *fx);
+void check_round_off(const struct fixture *fx);
+
+/* Exact solutions: rigid motion, homogeneous deformation. */
+void check_rigid(const struct fixture *fx);
+void check_homogeneous(const struct fixture *fx);
+
+#endif

@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fixture.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FUNCTION_DEGREE = 3 }; /* of test_functions, in y and in z */
+
+static const char *const law_name[PW_LAWS] = {"axis", "average", "full", "mean shear"};
+
+void *grab(size_t count, size_t size)
+{
+    size_t bytes = (count * size + 63) / 64 * 64;
+    void *p = aligned_alloc(64, bytes ? bytes : 64);
+    if (!p) {
+        fprintf(stderr, "out of memory\n");
+        exit(2);
+    }
+    memset(p, 0xff, bytes); /* all bits set: a NaN as double, and as long double */
+    return p;
+}
+
+const char *where(const struct fixture *fx, int lane)
+{
+    static char text[80];
+    int n = snprintf(text, sizeof text, "%s/%s", fx->kernel->name, law_name[fx->beam.mechanics]);
+    if (lane >= 0)
+        snprintf(text + n, sizeof text - (size_t)n, " lane %d", lane);
+    return text;
+}
+
+/* ---- random numbers and rotations ----------------------------------------------------------- */
+
+static uint64_t random_state;
+
+void random_seed(const char *text)
+{
+    random_state = 14695981039346656037u; /* FNV-1a */
+    for (; *text; text++)
+        random_state = (random_state ^ (unsigned char)*text) * 1099511628211u;
+}
+
+/* splitmix64 */
+real random_real(real from, real to)
+{
+    uint64_t x = random_state += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    x ^= x >> 31;
+    return from + (to - from) * ((real)(x >> 11) * 0x1p-53L);
+}
+
+void random_rotation(real *R)
+{
+    real q[4], norm;
+    do { /* a point of the unit ball, then of the sphere: a uniform quaternion */
+        norm = 0;
+        for (int i = 0; i < 4; i++) {
+            q[i] = random_real(-1, 1);
+            norm += q[i] * q[i];
+        }
+    } while (norm > 1 || norm < 0.01L);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        real a = q[i], b = q[j], c = q[k], w = q[3];
+        R[4 * i] = (w * w + a * a - b * b - c * c) / norm;
+        R[3 * i + j] = 2 * (a * b - w * c) / norm;
+        R[3 * i + k] = 2 * (a * c + w * b) / norm;
+    }
+}
+
+/* ---- section, law, invariants --------------------------------------------------------------- */
+
+/* Odd in y and z like the warping function of a rectangle; the others are anything. */
+static void test_function(int i, real y, real z, real w[3])
+{
+    const real a = 800 + 100 * i, b = 500 - 60 * i, c = 0.3L * i;
+    w[0] = y * z * (1 + a * y * y - b * z * z) + c * y * (y * y + z * z);
+    w[1] = z * (1 + 3 * a * y * y - b * z * z) + c * (3 * y * y + z * z);
+    w[2] = y * (1 + a * y * y - 3 * b * z * z) + c * 2 * y * z;
+}
+
+static void warping(real y, real z, real w[3])
+{
+    test_function(0, y, z, w);
+}
+
+void test_functions(double y, double z, double (*f)[3])
+{
+    for (int i = 0; i < HOBE_MAX_FUNCTIONS; i++) {
+        real w[3];
+        test_function(i, y, z, w);
+        for (int d = 0; d < 3; d++)
+            f[i][d] = (double)w[d];
+    }
+}
+
+/* One Gauss point more in each direction than the evaluator has: both are exact, and no two points
+ * coincide. */
+static void set_section(struct fixture *fx)
+{
+    int degree = fx->kernel->degree, n;
+    real x[PW_GAUSS], w[PW_GAUSS];
+    if (fx->kernel->functions && degree < FUNCTION_DEGREE)
+        degree = FUNCTION_DEGREE;
+    n = 2 * degree + 2 < PW_GAUSS ? 2 * degree + 2 : PW_GAUSS;
+    pw_gauss(n, x, w);
+    fx->point = grab((size_t)(n * n), sizeof *fx->point);
+    for (int p = 0; p < n * n; p++) {
+        struct hobe_section_point *point = &fx->point[p];
+        point->y = (double)(fx->beam.y + fx->beam.width * (x[p / n] - 0.5L));
+        point->z = (double)(fx->beam.z + fx->beam.height * (x[p % n] - 0.5L));
+        point->weight = (double)(fx->beam.width * fx->beam.height * w[p / n] * w[p % n]);
+        test_functions(point->y, point->z, point->f);
+    }
+    fx->axis = (struct hobe_section_point){.weight = 0.37}; /* a mean: any weight will do */
+    test_functions(0, 0, fx->axis.f);
+    fx->rule = (struct hobe_section_rule){n * n, fx->point};
+    fx->mean = fx->beam.mechanics == PW_AXIS ? (struct hobe_section_rule){1, &fx->axis} : fx->rule;
+}
+
+static void set_law(struct fixture *fx)
+{
+    const double E = (double)fx->beam.E, nu = (double)fx->beam.nu, G = E / 2 / (1 + nu);
+    const double k2 = (double)fx->beam.k2, k3 = (double)fx->beam.k3;
+    const double lambda = 2 * G * nu / (1 - 2 * nu);
+    const int full = fx->beam.mechanics == PW_FULL, mean = fx->beam.mechanics == PW_MEAN_SHEAR;
+    struct hobe_elasticity *law = &fx->law;
+    memset(law, 0, sizeof *law);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double solid = lambda + (i == j ? 2 * G : 0), rod = i == j ? E : 0;
+            law->normal[i][j] = full ? solid : rod;
+            law->mean_normal[i][j] = full ? 0 : solid - rod;
+        }
+    const double shear[3] = {G, mean ? G : k2 * G, mean ? G : k3 * G};
+    const double mean_shear[3] = {0, mean ? (k2 - 1) * G : 0, mean ? (k3 - 1) * G : 0};
+    memcpy(law->shear, shear, sizeof shear);
+    memcpy(law->mean_shear, mean_shear, sizeof mean_shear);
+}
+
+void make_invariants(const struct fixture *fx, int stations, int blocks,
+                     struct hobe_invariants *inv)
+{
+    const struct hobe_kernel *k = fx->kernel;
+    const size_t rows = (size_t)(stations * k->vectors), copies = (size_t)blocks;
+    const size_t nn = (size_t)(k->normals * k->normals), ns = (size_t)(k->shears * k->shears);
+    real x[PW_GAUSS], w[PW_GAUSS];
+    double gauss[PW_GAUSS][2];
+    memset(inv, 0, sizeof *inv);
+    inv->length = (double)fx->beam.length;
+    inv->stations = stations;
+    inv->xi = grab((size_t)stations, sizeof(double));
+    inv->wx = grab((size_t)stations, sizeof(double));
+    inv->N = grab(rows, sizeof(double));
+    inv->Nx = grab(rows, sizeof(double));
+    inv->Qn = grab(copies * nn, sizeof(double));
+    inv->Qs = grab(copies * ns, sizeof(double));
+    inv->mass = grab((size_t)(k->vectors * k->vectors), sizeof(double));
+    pw_gauss(stations, x, w);
+    for (int s = 0; s < stations; s++) {
+        gauss[s][0] = (double)x[s];
+        gauss[s][1] = (double)w[s];
+    }
+    k->invariants(inv, (const double(*)[2])gauss, &fx->rule, &fx->mean, &fx->law, fx->density);
+    for (int s = 1; s < blocks; s++) {
+        memcpy(inv->Qn + (size_t)s * nn, inv->Qn, nn * sizeof(double));
+        memcpy(inv->Qs + (size_t)s * ns, inv->Qs, ns * sizeof(double));
+    }
+    inv->step_n = blocks > 1 ? (ptrdiff_t)nn : 0;
+    inv->step_s = blocks > 1 ? (ptrdiff_t)ns : 0;
+}
+
+void free_invariants(struct hobe_invariants *inv)
+{
+    free(inv->xi);
+    free(inv->wx);
+    free(inv->N);
+    free(inv->Nx);
+    free(inv->Qn);
+    free(inv->Qs);
+    free(inv->mass);
+}
+
+/* The largest slope of each mode over the section decides the size of its vectors: a vector of size
+ * 1/slope tilts a fibre by about 1. */
+static void set_sizes(struct fixture *fx)
+{
+    const struct hobe_kernel *k = fx->kernel;
+    real slope[HOBE_MAX_MODES] = {0};
+    for (int p = 0; p < fx->rule.points; p++) {
+        double phi[HOBE_MAX_MODES][3];
+        const struct hobe_section_point *point = &fx->point[p];
+        k->section_modes(point->y, point->z, (const double(*)[3])point->f, phi);
+        for (int m = 0; m < k->modes; m++)
+            slope[m] = fmaxl(slope[m], hypotl(phi[m][1], phi[m][2]));
+    }
+    fx->size = grab((size_t)fx->dofs, sizeof(real));
+    for (int i = 0; i < fx->dofs; i++) {
+        const struct hobe_vector *v = &k->vector[i / 3];
+        real size = v->mode == 0 ? fx->beam.length : 1 / slope[v->mode];
+        fx->size[i] = v->slope ? size / fx->beam.length : size;
+    }
+}
+
+void fixture_open(struct fixture *fx, const struct hobe_kernel *kernel, enum pw_mechanics mechanics)
+{
+    memset(fx, 0, sizeof *fx);
+    fx->kernel = kernel;
+    fx->dofs = 3 * kernel->vectors;
+    fx->known = pw_find(kernel->name, &fx->beam.element);
+    fx->density = 2700;
+    fx->beam.length = 0.4L;
+    fx->beam.width = 0.03L;
+    fx->beam.height = 0.05L;
+    fx->beam.y = 0.004L; /* off the axis, so that no moment vanishes by symmetry */
+    fx->beam.z = -0.003L;
+    fx->beam.E = 70e9L;
+    fx->beam.nu = 0.3L;
+    fx->beam.k2 = 0.85L;
+    fx->beam.k3 = 0.7L;
+    fx->beam.mechanics = mechanics;
+    fx->beam.warping = warping;
+    fx->beam.warping_degree = FUNCTION_DEGREE;
+    set_section(fx);
+    set_law(fx);
+    set_sizes(fx);
+    make_invariants(fx, kernel->stations, 1, &fx->inv);
+}
+
+void fixture_close(struct fixture *fx)
+{
+    free_invariants(&fx->inv);
+    free(fx->point);
+    free(fx->size);
+}

@@ -1,0 +1,338 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Energy, force and tangent of one beam element, by Gauss points through its volume. */
+#include "pointwise.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { POINTS = PW_GAUSS * PW_GAUSS + 1 }; /* of a section; the last one used is the axis */
+
+real pw_epsilon(void)
+{
+    volatile real e = 1, above = 2;
+    while (above > 1) {
+        e /= 2;
+        above = 1 + e;
+    }
+    return 2 * e;
+}
+
+void pw_gauss(int n, real *x, real *weight)
+{
+    const real pi = acosl(-1.0L);
+    for (int i = 0; i < n; i++) {
+        real t = cosl(pi * (i + 0.75L) / (n + 0.5L)), slope = 1;
+        for (int step = 0; step < 20; step++) { /* Newton on the Legendre polynomial P_n */
+            real p = 1, before = 0;
+            for (int k = 1; k <= n; k++) {
+                real next = ((2 * k - 1) * t * p - (k - 1) * before) / k;
+                before = p;
+                p = next;
+            }
+            slope = n * (t * p - before) / (t * t - 1);
+            t -= p / slope;
+        }
+        x[i] = (1 - t) / 2;
+        weight[i] = 1 / ((1 - t * t) * slope * slope);
+    }
+}
+
+/* ---- the law -------------------------------------------------------------------------------- */
+
+/* Voigt matrices: `volume` acts on the strain of a point, `mean` on the strain averaged over the
+ * section (or taken on the axis). */
+struct law {
+    real volume[6][6], mean[6][6];
+};
+
+static void set_law(const struct pw_beam *beam, struct law *law)
+{
+    const real E = beam->E, nu = beam->nu;
+    const real G = E / (2 * (1 + nu)), lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
+    const int full = beam->mechanics == PW_FULL, sheared = beam->mechanics == PW_MEAN_SHEAR;
+    memset(law, 0, sizeof *law);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            if (full)
+                law->volume[i][j] = i == j ? lambda + 2 * G : lambda;
+            else {
+                law->volume[i][j] = i == j ? E : 0;
+                law->mean[i][j] = i == j ? lambda + 2 * G - E : lambda;
+            }
+        }
+    law->volume[3][3] = G;
+    law->volume[4][4] = sheared ? G : beam->k2 * G;
+    law->volume[5][5] = sheared ? G : beam->k3 * G;
+    law->mean[4][4] = sheared ? (beam->k2 - 1) * G : 0;
+    law->mean[5][5] = sheared ? (beam->k3 - 1) * G : 0;
+}
+
+/* sigma += c C eps; the energy 1/2 c eps:C:eps is returned. */
+static number add_stress(real C[6][6], real c, const number *eps, number *sigma)
+{
+    number twice = 0;
+    for (int i = 0; i < 6; i++) {
+        number s = 0;
+        for (int j = 0; j < 6; j++)
+            if (C[i][j] != 0)
+                s += C[i][j] * eps[j];
+        sigma[i] += c * s;
+        twice += c * s * eps[i];
+    }
+    return twice / 2;
+}
+
+static void green_lagrange(number F[3][3], number *eps)
+{
+    number C[3][3] = {{0}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 3; k++)
+                C[i][j] += F[k][i] * F[k][j];
+    for (int i = 0; i < 3; i++)
+        eps[i] = (C[i][i] - 1) / 2;
+    eps[3] = C[1][2];
+    eps[4] = C[0][2];
+    eps[5] = C[0][1];
+}
+
+/* The first Piola-Kirchhoff stress P = F S. */
+static void first_piola(number F[3][3], const number *s, number P[3][3])
+{
+    const number S[3][3] = {{s[0], s[5], s[4]}, {s[5], s[1], s[3]}, {s[4], s[3], s[2]}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            P[i][j] = F[i][0] * S[0][j] + F[i][1] * S[1][j] + F[i][2] * S[2][j];
+}
+
+/* ---- quadrature ----------------------------------------------------------------------------- */
+
+struct grid {
+    int stations, points; /* points of a section, the axis among them, last and without weight */
+    real area;
+    real length_weight[PW_GAUSS];
+    real N[PW_GAUSS][PW_VECTORS], Nx[PW_GAUSS][PW_VECTORS];
+    real weight[POINTS], phi[POINTS][3 * PW_MODES];
+};
+
+/* Polynomial degrees decide the number of points.  Along the axis dr/dx and the other fields have
+ * degree 2 (3 for cubic Lagrange), strain twice that, energy four times: 8 or 12.  Over the section
+ * the energy has four times the degree of the modes. */
+static void set_grid(const struct pw_beam *beam, struct grid *g)
+{
+    const struct pw_element *e = &beam->element;
+    int cubic = e->others == PW_CUBIC, degree = e->degree;
+    for (int k = 0; k < e->modes; k++)
+        if (e->mode[k][0] == 'w' && beam->warping_degree > degree)
+            degree = beam->warping_degree;
+    int n = 2 * degree + 1 + beam->extra;
+    real x[PW_GAUSS], w[PW_GAUSS];
+    g->stations = (cubic ? 7 : 5) + beam->extra;
+    pw_gauss(g->stations, x, w);
+    for (int s = 0; s < g->stations; s++) {
+        g->length_weight[s] = w[s] * beam->length;
+        pw_shape(beam, x[s], g->N[s], g->Nx[s]);
+    }
+    g->area = beam->width * beam->height;
+    g->points = n * n + 1;
+    pw_gauss(n, x, w);
+    for (int p = 0; p < n * n; p++) {
+        real y = beam->y + beam->width * (x[p / n] - 0.5L);
+        real z = beam->z + beam->height * (x[p % n] - 0.5L);
+        g->weight[p] = g->area * w[p / n] * w[p % n];
+        pw_modes(beam, y, z, g->phi[p]);
+    }
+    g->weight[n * n] = 0;
+    pw_modes(beam, 0, 0, g->phi[n * n]);
+}
+
+/* The gradient of N_v phi_v, for all vectors at a point: G[v] = d/dx, d/dy, d/dz. */
+static void gradients(const struct pw_beam *beam, const real *N, const real *Nx, const real *phi,
+                      real G[PW_VECTORS][3])
+{
+    for (int v = 0; v < beam->element.vectors; v++) {
+        const real *f = phi + 3 * beam->element.vector[v].mode;
+        G[v][0] = Nx[v] * f[0];
+        G[v][1] = N[v] * f[1];
+        G[v][2] = N[v] * f[2];
+    }
+}
+
+/* F_ij = d r_i/d X_j. */
+static void deformation(int vectors, real G[PW_VECTORS][3], const number *q, number F[3][3])
+{
+    memset(F, 0, 9 * sizeof F[0][0]);
+    for (int v = 0; v < vectors; v++)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                F[i][j] += q[3 * v + i] * G[v][j];
+}
+
+/* From F at the points of a section: the energy per length, and P times the weight of each point,
+ * whose work on dF is the variation of that energy. */
+static number section(const struct pw_beam *beam, const struct law *law, const struct grid *g,
+                      number (*F)[3][3], number (*P)[3][3])
+{
+    const int n = g->points, axis = n - 1, on_axis = beam->mechanics == PW_AXIS;
+    struct law C = *law;
+    number eps[POINTS][6], mean[6] = {0}, mean_stress[6] = {0}, energy = 0;
+    for (int p = 0; p < n; p++) {
+        green_lagrange(F[p], eps[p]);
+        for (int i = 0; i < 6; i++)
+            mean[i] += on_axis ? (p == axis) * eps[p][i] : g->weight[p] / g->area * eps[p][i];
+    }
+    energy += g->area * add_stress(C.mean, 1, mean, mean_stress);
+    for (int p = 0; p < n; p++) {
+        /* d mean(eps) is d eps on the axis, or the weighted mean of d eps. */
+        real share = on_axis ? (p == axis) * g->area : g->weight[p];
+        number sigma[6];
+        for (int i = 0; i < 6; i++)
+            sigma[i] = share * mean_stress[i];
+        energy += add_stress(C.volume, g->weight[p], eps[p], sigma);
+        first_piola(F[p], sigma, P[p]);
+    }
+    return energy;
+}
+
+/* ---- energy, force, tangent ----------------------------------------------------------------- */
+
+struct station {
+    real G[POINTS][PW_VECTORS][3];
+    number F[POINTS][3][3], P[POINTS][3][3];
+};
+
+static void set_station(const struct pw_beam *beam, const struct grid *g, int s, const number *q,
+                        struct station *station)
+{
+    for (int p = 0; p < g->points; p++) {
+        gradients(beam, g->N[s], g->Nx[s], g->phi[p], station->G[p]);
+        deformation(beam->element.vectors, station->G[p], q, station->F[p]);
+    }
+}
+
+/* Energy and, unless f is NULL, force. */
+static number evaluate(const struct pw_beam *beam, const number *q, number *f)
+{
+    static struct grid g;
+    static struct station t;
+    struct law law;
+    number energy = 0;
+    set_law(beam, &law);
+    set_grid(beam, &g);
+    for (int s = 0; s < g.stations; s++) {
+        set_station(beam, &g, s, q, &t);
+        energy += g.length_weight[s] * section(beam, &law, &g, t.F, t.P);
+        for (int p = 0; f && p < g.points; p++)
+            for (int v = 0; v < beam->element.vectors; v++)
+                for (int i = 0; i < 3; i++)
+                    for (int j = 0; j < 3; j++)
+                        f[3 * v + i] += g.length_weight[s] * t.P[p][i][j] * t.G[p][v][j];
+    }
+    return energy;
+}
+
+number pw_energy(const struct pw_beam *beam, const number *q)
+{
+    return evaluate(beam, q, NULL);
+}
+
+void pw_force(const struct pw_beam *beam, const number *q, number *f)
+{
+    for (int i = 0; i < 3 * beam->element.vectors; i++)
+        f[i] = 0;
+    evaluate(beam, q, f);
+}
+
+/* One column of a station's tangent: the imaginary part of the force at q + ih e_column.  Only row
+ * column % 3 of F feels that vector. */
+static void tangent_column(const struct pw_beam *beam, const struct law *law, const struct grid *g,
+                           struct station *t, int s, int column, real *K)
+{
+    static number F[POINTS][3][3];
+    const real h = 0x1p-100L;
+    const int vectors = beam->element.vectors;
+    memcpy(F, t->F, (size_t)g->points * sizeof F[0]);
+    for (int p = 0; p < g->points; p++)
+        for (int j = 0; j < 3; j++)
+            F[p][column % 3][j] += I * h * t->G[p][column / 3][j];
+    section(beam, law, g, F, t->P);
+    for (int p = 0; p < g->points; p++)
+        for (int i = 0; i < 3; i++) {
+            real P[3];
+            for (int j = 0; j < 3; j++)
+                P[j] = cimagl(t->P[p][i][j]) / h * g->length_weight[s];
+            for (int v = 0; v < vectors; v++) {
+                const real *G = t->G[p][v];
+                K[(3 * v + i) * 3 * vectors + column] += P[0] * G[0] + P[1] * G[1] + P[2] * G[2];
+            }
+        }
+}
+
+void pw_tangent(const struct pw_beam *beam, const real *q, real *K)
+{
+    static struct grid g;
+    static struct station t;
+    const int dofs = 3 * beam->element.vectors;
+    struct law law;
+    number position[PW_DOFS];
+    set_law(beam, &law);
+    set_grid(beam, &g);
+    for (int i = 0; i < dofs; i++)
+        position[i] = q[i];
+    for (int i = 0; i < dofs * dofs; i++)
+        K[i] = 0;
+    for (int s = 0; s < g.stations; s++) {
+        set_station(beam, &g, s, position, &t);
+        for (int column = 0; column < dofs; column++)
+            tangent_column(beam, &law, &g, &t, s, column, K);
+    }
+}
+
+/* ---- strain, mass --------------------------------------------------------------------------- */
+
+void pw_strain(const struct pw_beam *beam, const real *q, real xi, real y, real z, real *E)
+{
+    real N[PW_VECTORS], Nx[PW_VECTORS], phi[3 * PW_MODES], G[PW_VECTORS][3];
+    number position[PW_DOFS], F[3][3], eps[6];
+    for (int i = 0; i < 3 * beam->element.vectors; i++)
+        position[i] = q[i];
+    pw_shape(beam, xi, N, Nx);
+    pw_modes(beam, y, z, phi);
+    gradients(beam, N, Nx, phi, G);
+    deformation(beam->element.vectors, G, position, F);
+    green_lagrange(F, eps);
+    for (int i = 0; i < 6; i++)
+        E[i] = creall(eps[i]);
+}
+
+void pw_mass(const struct pw_beam *beam, real density, real *M)
+{
+    static struct grid g;
+    const struct pw_element *e = &beam->element;
+    set_grid(beam, &g);
+    memset(M, 0, (size_t)(e->vectors * e->vectors) * sizeof *M);
+    for (int s = 0; s < g.stations; s++)
+        for (int p = 0; p < g.points; p++) {
+            real value[PW_VECTORS], weight = density * g.length_weight[s] * g.weight[p];
+            for (int v = 0; v < e->vectors; v++)
+                value[v] = g.N[s][v] * g.phi[p][3 * e->vector[v].mode];
+            for (int v = 0; v < e->vectors; v++)
+                for (int w = 0; w < e->vectors; w++)
+                    M[v * e->vectors + w] += weight * value[v] * value[w];
+        }
+}
+
+real pw_density(const struct pw_beam *beam, const real *E, real *volume, real *mean)
+{
+    struct law law;
+    number eps[6], stress[6] = {0}, mean_stress[6] = {0}, energy;
+    set_law(beam, &law);
+    for (int i = 0; i < 6; i++)
+        eps[i] = E[i];
+    energy = add_stress(law.volume, 1, eps, stress) + add_stress(law.mean, 1, eps, mean_stress);
+    for (int i = 0; i < 6; i++) {
+        volume[i] = creall(stress[i]);
+        mean[i] = creall(mean_stress[i]);
+    }
+    return creall(energy);
+}
