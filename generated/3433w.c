@@ -2,7 +2,8 @@
  *
  * Written by `python -m generator`, declaration 0e36e54fc3b2f4b2: do not edit.
  * nodes at xi = 0 1/3 2/3 1; 16 vectors, 48 degrees of freedom
- * modes 1 y z w; energy exact with 7 Gauss points on the axis
+ * modes 1 y z w
+ * the energy is exact with 7 Gauss points on the axis
  * vectors (mode@node, ' for d/dx): 1@1 y@1 z@1 w@1 1@2 y@2 z@2 w@2 1@3 y@3 z@3 w@3 1@4 y@4 z@4
  *     w@4
  * operations per element: force 13660, force and tangent 120508, energy 10538
@@ -70,7 +71,8 @@ static void shape(double xi, double length, double *N, double *Nx)
     }
 }
 
-static void section_modes(double y, double z, const double (*f)[3], double (*phi)[3])
+static void section_modes(double y, double z, const double (*f)[3],
+                          double (*phi)[3])
 {
     phi[0][0] = 1.0;
     phi[0][1] = 0.0;
@@ -187,9 +189,9 @@ static void mass_matrix(struct hobe_invariants *inv, const struct hobe_section_r
     for (int v = 0; v < V; v++)
         for (int w = 0; w < V; w++) {
             const int i = axial_of[v], j = axial_of[w];
-            const double scale = (is_slope[i] ? inv->length : 1.0) * (is_slope[j] ? inv->length : 1.0);
-            inv->mass[v * V + w] = density * moment[mode[v]][mode[w]] * inv->length * scale *
-                                   overlap[i * A + j];
+            double axis = overlap[i * A + j] * inv->length;
+            axis *= (is_slope[i] ? inv->length : 1.0) * (is_slope[j] ? inv->length : 1.0);
+            inv->mass[v * V + w] = density * moment[mode[v]][mode[w]] * axis;
         }
 }
 
@@ -251,35 +253,39 @@ static void section_vectors(const double *N, const double *Nx, const hobe_real *
     }
 }
 
+/* a . b */
+static inline hobe_real dot(const hobe_real *a, const hobe_real *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /* s_IJ = B_I.C_J + C_I.B_J, s_II = B_I.C_I: with B = D0 + U/2, C = U the Gram differences
  * D_I.D_J - D0_I.D0_J without cancellation */
 static void differences(const hobe_real *B, const hobe_real *C, hobe_real *n, hobe_real *s)
 {
+    hobe_real *values = n + NA;
     for (int i = 0; i < M; i++) {
         for (int j = 0; j < i; j++) {
-            n[hobe_pair(i - 0, j - 0)] = B[3 * i] * C[3 * j] + B[3 * i + 1] * C[3 * j + 1] + B[3 * i + 2] * C[3 * j + 2];
-            n[hobe_pair(i - 0, j - 0)] += B[3 * j] * C[3 * i] + B[3 * j + 1] * C[3 * i + 1] + B[3 * j + 2] * C[3 * i + 2];
+            n[hobe_pair(i, j)] = dot(B + 3 * i, C + 3 * j) + dot(B + 3 * j, C + 3 * i);
         }
-        n[hobe_pair(i - 0, i - 0)] = B[3 * i] * C[3 * i] + B[3 * i + 1] * C[3 * i + 1] + B[3 * i + 2] * C[3 * i + 2];
+        n[hobe_pair(i, i)] = dot(B + 3 * i, C + 3 * i);
     }
     for (int i = M; i < S; i++) {
         for (int j = M; j < i; j++) {
-            n[NA + hobe_pair(i - M, j - M)] = B[3 * i] * C[3 * j] + B[3 * i + 1] * C[3 * j + 1] + B[3 * i + 2] * C[3 * j + 2];
-            n[NA + hobe_pair(i - M, j - M)] += B[3 * j] * C[3 * i] + B[3 * j + 1] * C[3 * i + 1] + B[3 * j + 2] * C[3 * i + 2];
+            values[hobe_pair(i - M, j - M)] = dot(B + 3 * i, C + 3 * j) + dot(B + 3 * j, C + 3 * i);
         }
-        n[NA + hobe_pair(i - M, i - M)] = B[3 * i] * C[3 * i] + B[3 * i + 1] * C[3 * i + 1] + B[3 * i + 2] * C[3 * i + 2];
+        values[hobe_pair(i - M, i - M)] = dot(B + 3 * i, C + 3 * i);
     }
     for (int i = 0; i < M; i++) {
         for (int j = M; j < S; j++) {
-            s[i * (M - 1) + j - M] = B[3 * i] * C[3 * j] + B[3 * i + 1] * C[3 * j + 1] + B[3 * i + 2] * C[3 * j + 2];
-            s[i * (M - 1) + j - M] += B[3 * j] * C[3 * i] + B[3 * j + 1] * C[3 * i + 1] + B[3 * j + 2] * C[3 * i + 2];
+            s[i * (M - 1) + j - M] = dot(B + 3 * i, C + 3 * j) + dot(B + 3 * j, C + 3 * i);
         }
     }
 }
 
 /* sigma = Q s, the stress resultants conjugate to the Gram differences */
 static void stress(const double *Qn, const double *Qs, const hobe_real *n, const hobe_real *s,
-                          hobe_real *tn, hobe_real *ts)
+                   hobe_real *tn, hobe_real *ts)
 {
     for (int r = 0; r < NN; r++) {
         tn[r] = zero;
@@ -300,7 +306,8 @@ static void stress(const double *Qn, const double *Qs, const hobe_real *n, const
 }
 
 /* P_I = dW/dD_I = sum_J sigma_IJ D_J */
-static void section_force(const hobe_real *tn, const hobe_real *ts, const hobe_real *D, hobe_real *P)
+static void section_force(const hobe_real *tn, const hobe_real *ts, const hobe_real *D,
+                          hobe_real *P)
 {
     for (int i = 0; i < 3 * S; i++) {
         P[i] = zero;
@@ -350,7 +357,7 @@ static void gather(const hobe_real *q, hobe_real *x)
 
 /* section vectors of b/2 and of c */
 static void polar(const double *N, const double *Nx, const hobe_real *b, const hobe_real *c,
-                         hobe_real *B, hobe_real *C)
+                  hobe_real *B, hobe_real *C)
 {
     section_vectors(N, Nx, b, B);
     section_vectors(N, Nx, c, C);
@@ -432,9 +439,9 @@ static void energy_part(const struct hobe_invariants *inv, const hobe_real *q0, 
     energy[0] = sum;
 }
 
-/* f = T(a; b, c): sigma = Q s(b, c) with the polar form of the Gram entries, applied to D(a) */
-static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *qa, const hobe_real *qb,
-                           const hobe_real *qc, hobe_real *f)
+/* f = T(a; b, c): sigma = Q s(b, c), the Gram entries in polar form, applied to D(a) */
+static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *qa,
+                           const hobe_real *qb, const hobe_real *qc, hobe_real *f)
 {
     hobe_real xa[3 * V];
     hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
@@ -468,10 +475,10 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* C_IJ = d2W/dD_I dD_J = sum_K D_K T_(IK)^T + sigma_IJ 1, all S x S blocks, column by column:
+/* C_IJ = d2W/dD_I dD_J = sum_K D_K T_(IK)^T + sigma_IJ 1, all S x S blocks, by columns:
  * T_r = sum_L Q_r(JL) D_L is the change of every stress resultant with D_J */
 static void section_stiffness(const double *Qn, const double *Qs, const hobe_real *tn,
-                                     const hobe_real *ts, const hobe_real *D, hobe_real *C, hobe_real *T)
+                              const hobe_real *ts, const hobe_real *D, hobe_real *C, hobe_real *T)
 {
     hobe_real *Tn = T, *Ts = T + 3 * NN;
     for (int j = 0; j < S; j++) {
@@ -615,8 +622,8 @@ static void expand(const double *N, const double *Nx, double w, const hobe_real 
 }
 
 /* f as in force_part and K = df/dq, eq. 28; C: scratch for the section stiffness */
-static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
-                         hobe_real *f, hobe_real *K, hobe_real *C)
+static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
+                         const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *C)
 {
     hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
     hobe_real n[NN], s[NS], tn[NN], ts[NS];

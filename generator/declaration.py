@@ -129,7 +129,8 @@ def _known_keys(path, where, table, known):
         if key not in known:
             near = difflib.get_close_matches(key, known, 1)
             hint = f"; did you mean {near[0]!r}?" if near else ""
-            _refuse(path, where + key, table[key], f"unknown key, known are {', '.join(known)}{hint}")
+            _refuse(path, where + key, table[key],
+                    f"unknown key, known are {', '.join(known)}{hint}")
 
 
 def _declaration(name, raw):

@@ -19,8 +19,8 @@ def element_file(element):
     """The C file of one element."""
     functions = plan.functions()
     counts = _counts(element, functions)
-    parts = [_head(element, counts), _tables(element), _shape(element), _modes(element), INVARIANTS,
-             STRAIN]
+    parts = [_head(element, counts), _tables(element), _shape(element), _modes(element)]
+    parts += [INVARIANTS, STRAIN]
     parts += [_function(f) for f in functions]
     parts += [BATCH, _descriptor(element, counts)]
     return "\n".join(parts)
@@ -59,9 +59,10 @@ def _head(element, counts):
         f"{d.name}: {d.source or 'no source given'}",
         "",
         f"Written by `python -m generator`, declaration {d.hash}: do not edit.",
-        f"nodes at xi = {' '.join(map(str, d.nodes))}; {size['V']} vectors, {3 * size['V']} degrees "
-        "of freedom",
-        f"modes {' '.join(d.modes)}; energy exact with {element.stations} Gauss points on the axis",
+        f"nodes at xi = {' '.join(map(str, d.nodes))}; {size['V']} vectors, {3 * size['V']} "
+        "degrees of freedom",
+        *_wrap("modes", " ".join(d.modes)),
+        f"the energy is exact with {element.stations} Gauss points on the axis",
         *_wrap("vectors (mode@node, ' for d/dx):", vectors),
         f"operations per element: force {counts['force_part']}, force and tangent "
         f"{counts['tangent_part']}, energy {counts['energy_part']}",
@@ -154,8 +155,8 @@ def _monomial(scale, a, b):
 
 
 def _modes(element):
-    lines = ["static void section_modes(double y, double z, const double (*f)[3], double (*phi)[3])",
-             "{"]
+    lines = ["static void section_modes(double y, double z, const double (*f)[3],",
+             "                          double (*phi)[3])", "{"]
     if not element.declaration.functions:
         lines.append("    (void)f;")
     for k, mode in enumerate(element.modes):
@@ -171,9 +172,15 @@ def _modes(element):
 
 
 def _function(function):
-    return "\n".join([f"/* {function.comment} */",
-                      f"static void {function.name}{function.signature}", "{",
-                      *write(function.body), "}", ""])
+    head = f"static {function.result} {function.name}("
+    lines = [head]
+    for number, argument in enumerate(function.arguments):
+        text = argument + (")" if number == len(function.arguments) - 1 else ",")
+        if len(lines[-1]) + len(text) + 1 > 100:
+            lines[-1] = lines[-1].rstrip()
+            lines.append(" " * len(head))
+        lines[-1] += text + ("" if text.endswith(")") else " ")
+    return "\n".join([f"/* {function.comment} */", *lines, "{", *write(function.body), "}", ""])
 
 
 INVARIANTS = """\
@@ -278,9 +285,9 @@ static void mass_matrix(struct hobe_invariants *inv, const struct hobe_section_r
     for (int v = 0; v < V; v++)
         for (int w = 0; w < V; w++) {
             const int i = axial_of[v], j = axial_of[w];
-            const double scale = (is_slope[i] ? inv->length : 1.0) * (is_slope[j] ? inv->length : 1.0);
-            inv->mass[v * V + w] = density * moment[mode[v]][mode[w]] * inv->length * scale *
-                                   overlap[i * A + j];
+            double axis = overlap[i * A + j] * inv->length;
+            axis *= (is_slope[i] ? inv->length : 1.0) * (is_slope[j] ? inv->length : 1.0);
+            inv->mass[v * V + w] = density * moment[mode[v]][mode[w]] * axis;
         }
 }
 

@@ -54,12 +54,13 @@ class Note:
 
 @dataclass(frozen=True)
 class Function:
-    """A static C function.  A Do statement that calls another counts that one's operations."""
+    """A static C function.  A statement that calls another counts that one's operations, too."""
 
     name: str
-    signature: str
+    arguments: tuple
     comment: str
     body: tuple
+    result: str = "void"
 
 
 def loop(var, last, *body, first="0"):
@@ -78,7 +79,8 @@ def write(body, depth=1):
             case Let():
                 lines.append(f"{pad}const int {node.var} = {node.expression};")
             case For():
-                head = f"for (int {node.var} = {node.first}; {node.var} < {node.last}; {node.var}++)"
+                i = node.var
+                head = f"for (int {i} = {node.first}; {i} < {node.last}; {i}++)"
                 lines += [f"{pad}{head} {{", *write(node.body, depth + 1), pad + "}"]
             case If():
                 lines += [f"{pad}if ({node.condition}) {{", *write(node.body, depth + 1), pad + "}"]
@@ -121,15 +123,13 @@ class Counter:
         return sum(self._body(node.body, {**names, node.var: i}) for i in range(first, last))
 
     def _statement(self, text):
-        called = re.match(r"(\w+)\(", text)
-        if called and called[1] in self.functions:
-            return self.count(called[1])
-        return operations(text)
+        called = [name for name in re.findall(r"(\w+)\(", text) if name in self.functions]
+        return operations(text) + sum(map(self.count, called))
 
 
 def operations(text):
-    """Arithmetic operators of a C statement, those inside indices aside."""
-    while (inner := re.sub(r"\[[^\[\]]*\]", "", text)) != text:
+    """Arithmetic operators of a C statement, those inside indices and arguments aside."""
+    while (inner := re.sub(r"\[[^\[\]]*\]|\w\([^()]*\)", "", text)) != text:
         text = inner
     return len(re.findall(r"[*/+-]", text))
 

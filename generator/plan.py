@@ -17,9 +17,25 @@ from .ir import Do, For, Function, If, Let, Note, loop
 
 def functions():
     """The functions of the plan, callees first."""
-    return (_section_vectors(), _differences(), _stress(), _section_force(), _gather(),
-            _polar(), _force_part(), _energy_part(), _trilinear_part(), _section_stiffness(), _expand(),
-            _tangent_part())
+    return (_section_vectors(), _dot(), _differences(), _stress(), _section_force(), _gather(),
+            _polar(), _force_part(), _energy_part(), _trilinear_part(), _section_stiffness(),
+            _expand(), _tangent_part())
+
+
+INVARIANTS = "const struct hobe_invariants *inv"
+
+
+def numbers(*names):
+    """Arguments that are the same for all lanes."""
+    return tuple(f"const double *{name}" for name in names)
+
+
+def given(*names):
+    return tuple(f"const hobe_real *{name}" for name in names)
+
+
+def filled(*names):
+    return tuple(f"hobe_real *{name}" for name in names)
 
 
 def _axis3(text):
@@ -29,7 +45,7 @@ def _axis3(text):
 def _section_vectors():
     return Function(
         "section_vectors",
-        "(const double *N, const double *Nx, const hobe_real *q, hobe_real *D)",
+        (*numbers("N", "Nx"), *given("q"), *filled("D")),
         "D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0)",
         (
             loop("i", "3 * S", Do("D[i] = zero;")),
@@ -42,32 +58,31 @@ def _section_vectors():
         ))
 
 
+def _dot():
+    return Function(
+        "dot", given("a", "b"), "a . b",
+        (Do("return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];"),), result="inline hobe_real")
+
+
 def _differences():
-    """s_IJ(B, C) = (B_I.C_J + C_I.B_J), halved on the diagonal."""
-    polar = ("B[3 * {i}] * C[3 * {j}] + B[3 * {i} + 1] * C[3 * {j} + 1] + "
-             "B[3 * {i} + 2] * C[3 * {j} + 2]")
-
-    def both(target, i, j):
-        return (Do(f"{target} = {polar.format(i=i, j=j)};"),
-                Do(f"{target} += {polar.format(i=j, j=i)};"))
-
-    def triangle(offset, first, last, target):
+    def triangle(target, first, last):
+        """Pairs of vectors first..last-1, numbered from 0."""
+        i, j = ("i", "j") if first == "0" else (f"i - {first}", f"j - {first}")
         return For("i", first, last, (
-            For("j", first, "i", both(target.format(p=f"hobe_pair(i - {offset}, j - {offset})"),
-                                      "i", "j")),
-            Do(f"{target.format(p=f'hobe_pair(i - {offset}, i - {offset})')} = "
-               f"{polar.format(i='i', j='i')};"),
-        ))
+            For("j", first, "i", (Do(f"{target}[hobe_pair({i}, {j})] = {mixed}"),)),
+            Do(f"{target}[hobe_pair({i}, {i})] = dot(B + 3 * i, C + 3 * i);")))
 
+    mixed = "dot(B + 3 * i, C + 3 * j) + dot(B + 3 * j, C + 3 * i);"
     return Function(
         "differences",
-        "(const hobe_real *B, const hobe_real *C, hobe_real *n, hobe_real *s)",
+        (*given("B", "C"), *filled("n", "s")),
         "s_IJ = B_I.C_J + C_I.B_J, s_II = B_I.C_I: with B = D0 + U/2, C = U the Gram differences\n"
         " * D_I.D_J - D0_I.D0_J without cancellation",
         (
-            triangle("0", "0", "M", "n[{p}]"),
-            triangle("M", "M", "S", "n[NA + {p}]"),
-            loop("i", "M", For("j", "M", "S", both("s[i * (M - 1) + j - M]", "i", "j"))),
+            Do("hobe_real *values = n + NA;", free=True),
+            triangle("n", "0", "M"),
+            triangle("values", "M", "S"),
+            loop("i", "M", For("j", "M", "S", (Do(f"s[i * (M - 1) + j - M] = {mixed}"),))),
         ))
 
 
@@ -81,8 +96,7 @@ def _stress():
 
     return Function(
         "stress",
-        "(const double *Qn, const double *Qs, const hobe_real *n, const hobe_real *s,\n"
-        "                          hobe_real *tn, hobe_real *ts)",
+        (*numbers("Qn", "Qs"), *given("n", "s"), *filled("tn", "ts")),
         "sigma = Q s, the stress resultants conjugate to the Gram differences",
         (*product("NN", "Qn", "n", "tn"), *product("NS", "Qs", "s", "ts")))
 
@@ -95,7 +109,7 @@ def _section_force():
 
     return Function(
         "section_force",
-        "(const hobe_real *tn, const hobe_real *ts, const hobe_real *D, hobe_real *P)",
+        (*given("tn", "ts", "D"), *filled("P")),
         "P_I = dW/dD_I = sum_J sigma_IJ D_J",
         (
             loop("i", "3 * S", Do("P[i] = zero;")),
@@ -109,7 +123,7 @@ def _section_force():
 def _gather():
     return Function(
         "gather",
-        "(const hobe_real *q, hobe_real *x)",
+        (*given("q"), *filled("x")),
         "x[V][3] = one part of a batch, positions relative to the first node's",
         (loop("v", "V", loop(
             "a", "3",
@@ -145,7 +159,8 @@ def _hand_back(source):
         Let("k", "mode[v]"),
         Do("const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];", free=True),
         _axis3(f"f[(3 * v + a) * HOBE_PARTS] += cx * {source}[3 * k + a];"),
-        If("k > 0", (_axis3(f"f[(3 * v + a) * HOBE_PARTS] += c * {source}[3 * (M - 1 + k) + a];"),)))
+        If("k > 0", (
+            _axis3(f"f[(3 * v + a) * HOBE_PARTS] += c * {source}[3 * (M - 1 + k) + a];"),)))
 
 
 CLEAR_FORCE = loop("i", "3 * V", Do("f[i * HOBE_PARTS] = zero;"))
@@ -154,8 +169,7 @@ CLEAR_FORCE = loop("i", "3 * V", Do("f[i * HOBE_PARTS] = zero;"))
 def _force_part():
     return Function(
         "force_part",
-        "(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,\n"
-        "                       hobe_real *f)",
+        (INVARIANTS, *given("q0", "u"), *filled("f")),
         "f = dU/dq, eq. 27, for one part of a batch",
         (
             *LOCALS,
@@ -170,8 +184,7 @@ def _force_part():
 def _energy_part():
     return Function(
         "energy_part",
-        "(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,\n"
-        "                        hobe_real *energy)",
+        (INVARIANTS, *given("q0", "u"), *filled("energy")),
         "U = sum_g w_g s.sigma/2, eq. 26",
         (
             *LOCALS,
@@ -191,8 +204,7 @@ def _energy_part():
 def _polar():
     return Function(
         "polar",
-        "(const double *N, const double *Nx, const hobe_real *b, const hobe_real *c,\n"
-        "                         hobe_real *B, hobe_real *C)",
+        (*numbers("N", "Nx"), *given("b", "c"), *filled("B", "C")),
         "section vectors of b/2 and of c",
         (
             Do("section_vectors(N, Nx, b, B);"),
@@ -204,9 +216,8 @@ def _polar():
 def _trilinear_part():
     return Function(
         "trilinear_part",
-        "(const struct hobe_invariants *inv, const hobe_real *qa, const hobe_real *qb,\n"
-        "                           const hobe_real *qc, hobe_real *f)",
-        "f = T(a; b, c): sigma = Q s(b, c) with the polar form of the Gram entries, applied to D(a)",
+        (INVARIANTS, *given("qa", "qb", "qc"), *filled("f")),
+        "f = T(a; b, c): sigma = Q s(b, c), the Gram entries in polar form, applied to D(a)",
         (
             Do("hobe_real xa[3 * V];", free=True),
             *LOCALS,
@@ -230,7 +241,8 @@ def _column():
         return loop(
             "r", size,
             Do("hobe_real sum[3] = {zero, zero, zero};", free=True),
-            For("l", first, last, (_axis3(f"sum[a] += {q}[r * {size} + {entry}] * D[3 * l + a];"),)),
+            For("l", first, last, (
+                _axis3(f"sum[a] += {q}[r * {size} + {entry}] * D[3 * l + a];"),)),
             loop("a", "3", Do(f"{target}[3 * r + a] = sum[a];")))
 
     return (
@@ -258,10 +270,8 @@ def _section_stiffness():
                free=True)
     return Function(
         "section_stiffness",
-        "(const double *Qn, const double *Qs, const hobe_real *tn,\n"
-        "                                     const hobe_real *ts, const hobe_real *D, hobe_real *C,"
-        " hobe_real *T)",
-        "C_IJ = d2W/dD_I dD_J = sum_K D_K T_(IK)^T + sigma_IJ 1, all S x S blocks, column by column:\n"
+        (*numbers("Qn", "Qs"), *given("tn", "ts", "D"), *filled("C", "T")),
+        "C_IJ = d2W/dD_I dD_J = sum_K D_K T_(IK)^T + sigma_IJ 1, all S x S blocks, by columns:\n"
         " * T_r = sum_L Q_r(JL) D_L is the change of every stress resultant with D_J",
         (
             Do("hobe_real *Tn = T, *Ts = T + 3 * NN;", free=True),
@@ -293,7 +303,7 @@ def _expand():
 
     return Function(
         "expand",
-        "(const double *N, const double *Nx, double w, const hobe_real *C, hobe_real *K)",
+        (*numbers("N", "Nx"), "double w", *given("C"), *filled("K")),
         "K_vw += w (N_v', N_v) [C] (N_w', N_w)^T for v >= w",
         (
             loop("v", "V", loop(
@@ -313,8 +323,7 @@ def _expand():
 def _tangent_part():
     return Function(
         "tangent_part",
-        "(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,\n"
-        "                         hobe_real *f, hobe_real *K, hobe_real *C)",
+        (INVARIANTS, *given("q0", "u"), *filled("f", "K", "C")),
         "f as in force_part and K = df/dq, eq. 28; C: scratch for the section stiffness",
         (
             *LOCALS,

@@ -85,8 +85,9 @@ def _check_kronecker(nodes, dofs, functions, where):
             value = _apply(dof, nodes, function)
             if value != (i == j):
                 kind = "slope" if dof.slope else "value"
-                raise DeclarationError(f"{where}: function {j + 1} has {kind} {value} at node "
-                                       f"{dof.node + 1}, must be {int(i == j)} (Kronecker property)")
+                raise DeclarationError(
+                    f"{where}: function {j + 1} has {kind} {value} at node {dof.node + 1}, must be "
+                    f"{int(i == j)} (Kronecker property)")
 
 
 def _check_completeness(nodes, dofs, functions, where, centreline):
