@@ -10,7 +10,7 @@ import os
 import sys
 import time
 
-from . import declaration, emit, invariants, shape
+from . import declaration, emit, invariants, plan, shape
 
 
 class Stages:
@@ -41,8 +41,9 @@ def generate(paths, only, stages):
     files = {}
     for element in elements:
         name = emit.identifier(element.declaration.name) + ".c"
-        files[name] = stages.run("contraction plan and C", emit.element_file, element)
-    files["registry.c"] = emit.registry_file(elements)
+        contraction = stages.run("contraction plan", plan.build, element)
+        files[name] = stages.run("C", emit.element_file, element, contraction)
+    files["registry.c"] = stages.run("C", emit.registry_file, elements)
     return files
 
 
@@ -54,7 +55,6 @@ def write(folder, files):
         try:
             with open(path, encoding="utf-8") as stream:
                 if stream.read() == text:
-                    os.utime(path)
                     continue
         except OSError:
             pass

@@ -17,6 +17,7 @@ A declaration is a TOML file (see elements/README.md):
 import difflib
 import hashlib
 import json
+import pathlib
 import re
 import tomllib
 from dataclasses import dataclass
@@ -28,7 +29,8 @@ KEYS = ("name", "source", "nodes", "extends", "mechanics", "field")
 FIELD_KEYS = ("modes", "dofs", "like", "functions")
 MONOMIAL = re.compile(r"(?=.)y*z*")
 FUNCTION = re.compile(r"w[a-z0-9]*")
-MAX_FUNCTIONS, MAX_MODES = 8, 24  # HOBE_MAX_FUNCTIONS, HOBE_MAX_MODES of kernel.h
+MAX_FUNCTIONS, MAX_MODES, MAX_VECTORS = 8, 24, 256  # HOBE_MAX_... of kernel.h
+MAX_DEGREE = 12  # of a monomial
 
 
 class DeclarationError(Exception):
@@ -62,9 +64,15 @@ class Vector:
     field: int
     place: int
 
+    @property
+    def is_position(self):
+        """Positions of the centreline lose the first node's: only their differences matter."""
+        return self.mode == 0 and not self.slope
+
 
 @dataclass(frozen=True)
 class Declaration:
+    path: str
     name: str
     source: str
     mechanics: str
@@ -119,8 +127,11 @@ def _load(path):
         raise DeclarationError(f"{path}: not TOML: {error}") from None
     _known_keys(path, "", table, KEYS)
     name = table.get("name")
-    if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_-]*", name):
-        _refuse(path, "name", name, "must be letters, digits, - and _")
+    if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9-]*", name):
+        _refuse(path, "name", name, "must be letters, digits and -")
+    if name != pathlib.Path(path).stem or name == "registry":
+        _refuse(path, "name", name, "the file must be called after the element, NAME.toml, and "
+                                    "not registry.toml")
     return table
 
 
@@ -137,10 +148,12 @@ def _declaration(name, raw):
     path, table = raw[name]
     nodes, fields, mechanics, trail = _inherit(name, raw, ())
     source = table.get("source", "")
-    if not isinstance(source, str) or not source.isprintable() or set('"\\') & set(source):
-        _refuse(path, "source", source, "must be one line of text without quotes and backslashes")
+    if (not isinstance(source, str) or not source.isprintable()
+            or any(mark in source for mark in ('"', "\\", "/*", "*/"))):
+        _refuse(path, "source", source,
+                "must be one line of text without quotes, backslashes and comment marks")
     digest = hashlib.sha256(json.dumps(trail, sort_keys=True).encode()).hexdigest()[:16]
-    declaration = Declaration(name, source, mechanics, nodes, fields, digest)
+    declaration = Declaration(path, name, source, mechanics, nodes, fields, digest)
     _check_modes(path, declaration)
     _check_continuity(path, declaration)
     return declaration
@@ -153,7 +166,7 @@ def _inherit(name, raw, below):
         _refuse(path, "extends", name, "an element cannot extend itself")
     nodes, fields, mechanics, trail = (), (), MECHANICS[0], []
     if (base := table.get("extends")) is not None:
-        if base not in raw:
+        if not isinstance(base, str) or base not in raw:
             _refuse(path, "extends", base, f"no such element; known are {', '.join(sorted(raw))}")
         nodes, fields, mechanics, trail = _inherit(base, raw, below + (name,))
     if "nodes" in table:
@@ -175,6 +188,8 @@ def _inherit(name, raw, below):
 
 def _nodes(path, texts):
     try:
+        if not isinstance(texts, list) or not all(isinstance(t, str) for t in texts):
+            raise TypeError(texts)
         nodes = tuple(Fraction(t) for t in texts)
     except (TypeError, ValueError, ZeroDivisionError):
         _refuse(path, "nodes", texts, 'must be rationals like ["0", "1/2", "1"]')
@@ -191,6 +206,9 @@ def _field(path, where, table, nodes, before):
         _refuse(path, where + "modes", modes, 'must be a list of modes like ["y", "z"]')
     if ("like" in table) == ("dofs" in table):
         _refuse(path, where + "modes", modes, "a field has either dofs or like")
+    if "like" in table and "functions" in table:
+        _refuse(path, where + "functions", table["functions"],
+                f"come with those of {table['like']!r}")
     if "like" in table:
         for field in before:
             if table["like"] in field.modes:
@@ -213,7 +231,7 @@ def _dofs(path, where, table, nodes):
     if not isinstance(table, dict) or not table:
         _refuse(path, where + "dofs", table, 'must be like { 1 = ["value"], 2 = ["value"] }')
     for node in table:
-        if not node.isdecimal() or not 1 <= int(node) <= len(nodes):
+        if node not in map(str, range(1, len(nodes) + 1)):
             _refuse(path, where + "dofs", node, f"nodes are counted from 1 to {len(nodes)}")
         kinds = table[node]
         if not isinstance(kinds, list) or not kinds or any(k not in KINDS for k in kinds):
@@ -232,11 +250,16 @@ def _check_modes(path, declaration):
         if mode != "1" and not MONOMIAL.fullmatch(mode) and not FUNCTION.fullmatch(mode):
             _refuse(path, "modes", mode,
                     'must be "1", a monomial like "yyz" (y before z) or a section function "w..."')
+        if MONOMIAL.fullmatch(mode) and len(mode) > MAX_DEGREE:
+            _refuse(path, "modes", mode, f"monomials go to degree {MAX_DEGREE}")
         if modes.count(mode) > 1:
             _refuse(path, "modes", mode, "declared twice")
     if len(modes) > MAX_MODES or len(declaration.functions) > MAX_FUNCTIONS:
         _refuse(path, "modes", list(modes),
                 f"at most {MAX_MODES} modes and {MAX_FUNCTIONS} section functions")
+    if len(declaration.vectors) > MAX_VECTORS:
+        _refuse(path, "nodes", [str(x) for x in declaration.nodes],
+                f"{len(declaration.vectors)} nodal vectors, at most {MAX_VECTORS}")
 
 
 def _check_continuity(path, declaration):
@@ -245,5 +268,6 @@ def _check_continuity(path, declaration):
     for field in declaration.fields:
         kinds = [tuple(d.slope for d in field.dofs if d.node == n) for n in (0, last)]
         if kinds[0] != kinds[1] or False not in kinds[0]:
-            _refuse(path, f"field {'/'.join(field.modes)}", [d.node + 1 for d in field.dofs],
+            ends = [[KINDS[s] for s in k] for k in kinds]
+            _refuse(path, f"dofs of {', '.join(field.modes)} at the ends", ends,
                     "both end nodes must carry the same functionals, the value among them")

@@ -3,8 +3,7 @@
 
 from fractions import Fraction
 
-from . import plan
-from .ir import Counter, write
+from .ir import write
 from .shape import derivative
 
 ABI = 1  # HOBE_KERNEL_ABI of kernel.h
@@ -15,13 +14,12 @@ def identifier(name):
     return name.replace("-", "_")
 
 
-def element_file(element):
+def element_file(element, plan):
     """The C file of one element."""
-    functions = plan.functions()
-    counts = _counts(element, functions)
+    counts = plan.operations
     parts = [_head(element, counts), _tables(element), _shape(element), _modes(element)]
     parts += [INVARIANTS, STRAIN]
-    parts += [_function(f) for f in functions]
+    parts += [_function(f) for f in plan.functions]
     parts += [BATCH, _descriptor(element, counts)]
     return "\n".join(parts)
 
@@ -36,19 +34,6 @@ def registry_file(elements):
     lines += [f"    &hobe_kernel_{n}," for n in names]
     lines += ["    NULL,", "};", ""]
     return "\n".join(lines)
-
-
-def _counts(element, functions):
-    names = {**element.sizes, "inv_stations": element.stations,
-             "mode": [v.mode for v in element.declaration.vectors],
-             "position": [int(p) for p in _positions(element)]}
-    counter = Counter(functions, names)
-    return {f.name: counter.count(f.name) for f in functions}
-
-
-def _positions(element):
-    """Vectors that are positions of the centreline: they lose the first node's."""
-    return [v.mode == 0 and not v.slope for v in element.declaration.vectors]
 
 
 def _head(element, counts):
@@ -112,7 +97,7 @@ def _tables(element):
         "/* Of each nodal vector: mode; whether it is a position; axial function. */",
         _table("static const unsigned char mode[V]", [str(v.mode) for v in d.vectors]),
         _table("static const unsigned char position[V]",
-               [str(int(p)) for p in _positions(element)]),
+               [str(int(v.is_position)) for v in d.vectors]),
         _table("static const unsigned char axial_of[V]", map(str, element.axial_of)),
         _table("static const unsigned char is_slope[A]",
                [str(int(a.slope)) for a in element.axial]),
@@ -141,9 +126,6 @@ def _shape(element):
               "        N[v] = A_xi[i][0] * (is_slope[i] ? length : 1.0);",
               "        Nx[v] = A_xi[i][1] * (is_slope[i] ? 1.0 : 1.0 / length);",
               "    }"]
-    if not any("xi" in _horner(p, "xi") for a in element.axial
-               for p in (a.polynomial, derivative(a.polynomial))):
-        lines.insert(2, "    (void)xi;")
     return "\n".join(lines + ["}", ""])
 
 
@@ -381,6 +363,7 @@ def _descriptor(element, counts):
         f"extern const struct hobe_kernel hobe_kernel_{identifier(d.name)};",
         f"const struct hobe_kernel hobe_kernel_{identifier(d.name)} = {{",
     ]
+    # the section stiffness and one column, for one of at least two parts of a batch
     scratch = (9 * size["S"] ** 2 + 3 * (size["NN"] + size["NS"]) + 1) // 2
     fields = {
         "abi": ABI, "name": f'"{d.name}"', "hash": f'"{d.hash}"', "source": f'"{d.source}"',

@@ -12,11 +12,32 @@ Both hold without factors of two because diagonal Gram entries carry a half (ker
 here knows an element's name: sizes and tables come from the Element.
 """
 
-from .ir import Do, For, Function, If, Let, Note, loop
+from dataclasses import dataclass
+
+from .ir import Counter, Do, For, Function, If, Let, Note, loop
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The functions of a contraction, callees first, and the operations of one call of each, per
+    lane, at the element's own number of stations."""
+
+    functions: tuple
+    operations: dict
+
+
+def build(element):
+    """The plan of an Element."""
+    vectors = element.declaration.vectors
+    names = {**element.sizes, "inv_stations": element.stations,
+             "mode": [v.mode for v in vectors], "position": [int(v.is_position) for v in vectors]}
+    loops = functions()
+    counter = Counter(loops, names)
+    return Plan(loops, {f.name: counter.count(f.name) for f in loops})
 
 
 def functions():
-    """The functions of the plan, callees first."""
+    """The loop nests, the same for every element: sizes and tables make the difference."""
     return (_section_vectors(), _dot(), _differences(), _stress(), _section_force(), _gather(),
             _polar(), _force_part(), _energy_part(), _trilinear_part(), _section_stiffness(),
             _expand(), _tangent_part())

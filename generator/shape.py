@@ -5,22 +5,22 @@ A field with functionals L_i (values and slopes at nodes) gets the polynomials N
 with L_i N_j = delta_ij.  Slopes are d/dx: their functions carry a factor l, kept apart here.
 """
 
-import re
+import ast
 from fractions import Fraction
 
 import sympy
 
 from .declaration import DeclarationError
 
-XI = sympy.Symbol("xi")
-POLYNOMIAL = re.compile(r"(xi|[0-9+*/() -])+")  # sympy evaluates what it parses: nothing else
+MAX_DEGREE = 12  # of an explicit polynomial, and the largest exponent
+MAX_NUMBER = 10**30  # numerators and denominators
 
 
 def derive(declaration):
     """For each field the tuple of its shape functions, as tuples of Fractions, constant first."""
     functions = []
     for number, field in enumerate(declaration.fields):
-        where = f"element {declaration.name}, field {'/'.join(field.modes)}"
+        where = f"{declaration.path}: functions of {', '.join(field.modes)}"
         if field.functions is None:
             found = _interpolation(declaration.nodes, field.dofs, where)
         else:
@@ -62,14 +62,59 @@ def _interpolation(nodes, dofs, where):
 
 
 def _polynomial(text, where):
+    """The coefficients of a polynomial in xi, written with numbers, + - * / ** and parentheses."""
     try:
-        if not POLYNOMIAL.fullmatch(text):
-            raise ValueError(text)
-        poly = sympy.Poly(sympy.parse_expr(text, {"xi": XI}), XI, domain="QQ")
-    except (sympy.PolynomialError, sympy.SympifyError, SyntaxError, TypeError, ValueError):
-        raise DeclarationError(f"{where}: {text!r} is not a polynomial in xi with rational "
-                               "coefficients") from None
-    return _trim(Fraction(int(c.p), int(c.q)) for c in reversed(poly.all_coeffs()))
+        found = _expand(ast.parse(text.strip(), mode="eval").body)
+    except (ValueError, SyntaxError, RecursionError, MemoryError, ZeroDivisionError):
+        found = None
+    if found is None or len(found) > MAX_DEGREE + 1:
+        raise DeclarationError(f"{where} = {text[:60]!r}: not a polynomial in xi of degree up to "
+                               f"{MAX_DEGREE} with rational coefficients")
+    return found
+
+
+def _expand(node):
+    """Coefficients of a syntax tree; nothing of it is ever executed."""
+    match node:
+        case ast.Constant(value=int(number)) if not isinstance(number, bool):
+            return (Fraction(number),)
+        case ast.Name(id="xi"):
+            return (Fraction(0), Fraction(1))
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return _combine([-1], [_expand(operand)])
+        case ast.UnaryOp(op=ast.UAdd(), operand=operand):
+            return _expand(operand)
+        case ast.BinOp(left=left, op=ast.Add(), right=right):
+            return _combine([1, 1], [_expand(left), _expand(right)])
+        case ast.BinOp(left=left, op=ast.Sub(), right=right):
+            return _combine([1, -1], [_expand(left), _expand(right)])
+        case ast.BinOp(left=left, op=ast.Mult(), right=right):
+            return _product(_expand(left), _expand(right))
+        case ast.BinOp(left=left, op=ast.Div(), right=right):
+            divisor = _expand(right)
+            if len(divisor) > 1:
+                raise ValueError("division by a polynomial")
+            return _combine([1 / divisor[0]], [_expand(left)])
+        case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int(power))):
+            if not 0 <= power <= MAX_DEGREE:
+                raise ValueError("exponent out of range")
+            base, result = _expand(left), (Fraction(1),)
+            for _ in range(power):
+                result = _product(result, base)
+            return result
+    raise ValueError("not a polynomial")
+
+
+def _product(a, b):
+    if len(a) + len(b) > MAX_DEGREE + 2:
+        raise ValueError("degree out of range")
+    total = [Fraction(0)] * (len(a) + len(b) - 1)
+    for i, p in enumerate(a):
+        for j, q in enumerate(b):
+            total[i + j] += p * q
+    if any(max(abs(c.numerator), c.denominator) > MAX_NUMBER for c in total):
+        raise ValueError("number out of range")
+    return _trim(total)
 
 
 def _trim(coefficients):
@@ -86,12 +131,13 @@ def _check_kronecker(nodes, dofs, functions, where):
             if value != (i == j):
                 kind = "slope" if dof.slope else "value"
                 raise DeclarationError(
-                    f"{where}: function {j + 1} has {kind} {value} at node {dof.node + 1}, must be "
+                    f"{where}: number {j + 1} has {kind} {value} at node {dof.node + 1}, must be "
                     f"{int(i == j)} (Kronecker property)")
 
 
 def _check_completeness(nodes, dofs, functions, where, centreline):
-    """Rigid motion needs constants in every field; constant strain a linear centreline."""
+    """Rigid motion needs constants in the fields of 1, y, z, and continuity of a mode that does not
+    vary along the beam in the others; the straight reference needs a linear centreline."""
     constant = _combine([int(not d.slope) for d in dofs], functions)
     if constant != (1,):
         raise DeclarationError(f"{where}: the shape functions cannot represent a constant "

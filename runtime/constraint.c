@@ -49,25 +49,39 @@ void corner_orient(struct corner *corner)
         }
 }
 
-/* The vectors of a corner in state u. */
+/* The vectors of a corner in state u.  Phi is a difference of nearly equal directions: it is formed
+ * from displacements, p_s x b_s = b0 x db + dp x b with p0 = b0, to keep its digits. */
 struct state {
     double y[3], z[3], b[2][3], lambda[3];
     double p[2][3]; /* p_y, p_z */
     double w[2][3]; /* b_s x lambda */
+    double phi[3];
 };
 
 static void read_state(const struct corner *c, const double *u, struct state *s)
 {
-    double n[3], *const at[4] = {s->y, s->z, s->b[0], s->b[1]};
-    for (int i = 0; i < 4; i++)
-        for (int a = 0; a < 3; a++)
-            at[i][a] = c->beam[i / 2]->frame[1 + i % 2][a] + u[3 * c->vector[i] + a];
-    memcpy(s->lambda, u + 3 * c->vector[4], sizeof s->lambda);
-    cross(s->y, s->z, n);
+    const double *y0 = c->beam[0]->frame[1], *z0 = c->beam[0]->frame[2];
+    const double *dy = u + 3 * c->vector[0], *dz = u + 3 * c->vector[1];
+    double dn[3] = {0};
+    for (int a = 0; a < 3; a++) {
+        s->y[a] = y0[a] + dy[a];
+        s->z[a] = z0[a] + dz[a];
+        s->lambda[a] = u[3 * c->vector[4] + a];
+        s->phi[a] = 0;
+    }
+    add_cross(1, dy, z0, dn);
+    add_cross(1, s->y, dz, dn);
     for (int i = 0; i < 2; i++) {
-        for (int a = 0; a < 3; a++)
-            s->p[i][a] = c->C[i][0] * n[a] + c->C[i][1] * s->y[a] + c->C[i][2] * s->z[a];
+        const double *b0 = c->beam[1]->frame[1 + i], *db = u + 3 * c->vector[2 + i];
+        double dp[3];
+        for (int a = 0; a < 3; a++) {
+            dp[a] = c->C[i][0] * dn[a] + c->C[i][1] * dy[a] + c->C[i][2] * dz[a];
+            s->p[i][a] = b0[a] + dp[a];
+            s->b[i][a] = b0[a] + db[a];
+        }
         cross(s->b[i], s->lambda, s->w[i]);
+        add_cross(1, b0, db, s->phi);
+        add_cross(1, dp, s->b[i], s->phi);
     }
 }
 
@@ -86,8 +100,8 @@ static void first_derivatives(const struct corner *c, const struct state *s,
             V[1][a] += c->C[i][2] * s->w[i][a];
         }
         add_cross(1, s->lambda, s->p[i], V[2 + i]);
-        add_cross(1, s->p[i], s->b[i], V[4]);
     }
+    memcpy(V[4], s->phi, sizeof s->phi);
 }
 
 /* The second derivatives of V; dw_s = [b_s]x dlambda - [lambda]x db_s. */

@@ -88,7 +88,7 @@ static enum hobe_status allocate(hobe_element *element, struct hobe_error *err)
     return HOBE_OK;
 }
 
-/* Marks section functions that vanish or depend on earlier modes, by Gram-Schmidt on
+/* Marks modes beyond 1, y, z that vanish or depend on earlier ones, by Gram-Schmidt on
  * G_kl = int phi_k phi_l dA (Cholesky factor L in place). */
 static enum hobe_status find_dropped(hobe_element *element, struct hobe_error *err)
 {
@@ -116,10 +116,7 @@ static enum hobe_status find_dropped(hobe_element *element, struct hobe_error *e
             G[i][j] = element->dropped[j] ? 0 : sum / G[j][j];
             G[i][i] -= G[i][j] * G[i][j];
         }
-        int function = 0;
-        for (int f = 0; f < k->functions; f++)
-            function |= strcmp(k->function[f], k->mode[i]) == 0;
-        element->dropped[i] = function && !(G[i][i] > DEPENDENT * norm && norm > 0);
+        element->dropped[i] = i > 2 && !(G[i][i] > DEPENDENT * norm && norm > 0);
         G[i][i] = sqrt(fmax(G[i][i], 1e-300));
     }
     return HOBE_OK;

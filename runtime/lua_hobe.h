@@ -21,19 +21,35 @@ struct hobe_lua_entry {
     const char *usage;                    /* as it is called */
     const char *doc;                      /* Markdown */
     const struct hobe_lua_schema *schema; /* of its table of arguments, or NULL */
+    const struct hobe_lua_field *field;   /* of the object it returns, or NULL */
 };
 
-extern const struct hobe_lua_entry hobe_lua_scene_entries[];  /* lua_scene.c */
-extern const struct hobe_lua_entry hobe_lua_item_entries[];   /* lua_item.c */
-extern const struct hobe_lua_entry hobe_lua_solve_entries[];  /* lua_solve.c */
-extern const struct hobe_lua_entry hobe_lua_result_methods[]; /* lua_solve.c */
-extern const struct hobe_lua_entry hobe_lua_kernel_entries[]; /* lua_kernel.c */
-extern const struct hobe_lua_entry hobe_lua_kernel_methods[]; /* lua_kernel.c */
-extern const struct hobe_lua_entry hobe_lua_report_entries[]; /* lua_report.c */
-extern const struct hobe_lua_entry hobe_lua_figure_entries[]; /* lua_figure.c */
+extern const struct hobe_lua_entry hobe_lua_section_entries[]; /* lua_section.c */
+extern const struct hobe_lua_entry hobe_lua_item_entries[];    /* lua_item.c */
+extern const struct hobe_lua_entry hobe_lua_scene_entries[];   /* lua_scene.c */
+extern const struct hobe_lua_entry hobe_lua_solve_entries[];   /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_result_methods[];  /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_kernel_entries[];  /* lua_kernel.c */
+extern const struct hobe_lua_entry hobe_lua_kernel_methods[];  /* lua_kernel.c */
+extern const struct hobe_lua_entry hobe_lua_report_entries[];  /* lua_report.c */
+extern const struct hobe_lua_entry hobe_lua_figure_entries[];  /* lua_figure.c */
+
+/* Chapters of the module and of its reference, in order; the last has no title. */
+struct hobe_lua_chapter {
+    const char *title;
+    const struct hobe_lua_entry *entry;
+    int methods; /* of an object, not functions of the module */
+};
+extern const struct hobe_lua_chapter hobe_lua_chapters[]; /* lua_hobe.c */
 
 /* Sets the functions of a list in the table on top of the stack. */
 void hobe_lua_add_entries(lua_State *L, const struct hobe_lua_entry *entry);
+
+/* Sets the metatable of the userdata on top of the stack, made at the first call: the registry
+ * name `type` ("hobe.scene"), a finalizer, methods (a list or NULL), and `field`, which is called
+ * with the object and a key that is no method. */
+void hobe_lua_set_type(lua_State *L, const char *type, lua_CFunction finalizer,
+                       const struct hobe_lua_entry *methods, lua_CFunction field);
 
 /* ---- the context ---------------------------------------------------------------------------- */
 
@@ -41,7 +57,8 @@ void hobe_lua_add_entries(lua_State *L, const struct hobe_lua_entry *entry);
 struct hobe_lua_file {
     struct hobe_lua_file *next;
     struct hobe_text text;
-    char *script; /* of a picture: the gnuplot script that draws `name`; no text then */
+    int by_script; /* opened with io.open */
+    char *script;  /* of a picture: the gnuplot script that draws `name`; no text then */
     char name[];
 };
 
@@ -54,6 +71,9 @@ struct hobe_lua {
     const char *folder; /* for results, or NULL: no files; kept by the caller */
     int solves;         /* calls of a solver verb so far */
     int overridden;     /* some parameter is not at its default */
+    int finishing;      /* the report's own files may be staged */
+    int opened;         /* calls of io.open so far */
+    size_t written;     /* bytes written to their files so far */
     struct hobe_text tables; /* tables for stdout */
     struct hobe_text newton; /* the log of all solves as CSV */
     struct hobe_lua_file *file;
@@ -75,11 +95,11 @@ void hobe_lua_push_store(lua_State *L, enum hobe_lua_store store);
 /* Remembers a line that people should see with the results; the same line only once. */
 void hobe_lua_note(lua_State *L, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* ---- files for the end of the run ----------------------------------------------------------- */
+/* ---- files for the end of the run (lua_files.c) --------------------------------------------- */
 
 /* A text that will become the file `name` in the output folder; owned by the context.  Raises on a
- * bad name, and where the name is taken unless `again` allows to begin it anew. */
-struct hobe_text *hobe_lua_stage(lua_State *L, const char *name, int again);
+ * bad name and on one that is taken. */
+struct hobe_text *hobe_lua_stage(lua_State *L, const char *name);
 
 /* The staged file, or NULL. */
 struct hobe_lua_file *hobe_lua_staged(lua_State *L, const char *name);
@@ -87,8 +107,17 @@ struct hobe_lua_file *hobe_lua_staged(lua_State *L, const char *name);
 /* Has the picture `name` drawn by the staged gnuplot script once the files are written. */
 void hobe_lua_stage_picture(lua_State *L, const char *name, const char *script);
 
-/* Writes all staged files, draws the pictures, and forgets them. */
+/* Writes all staged files into the context's folder, draws the pictures, and forgets them. */
 void hobe_lua_write_files(lua_State *L);
+void hobe_lua_forget_files(struct hobe_lua *context);
+
+/* io.open(name, "r" or "w") inside the output folder, for the sandbox. */
+int hobe_lua_io_open(lua_State *L);
+
+/* ---- values -------------------------------------------------------------------------------- */
+
+/* Pushes a list of the n numbers x; returns 1. */
+int hobe_lua_push_numbers(lua_State *L, const double *x, int n);
 
 /* ---- errors --------------------------------------------------------------------------------- */
 
@@ -97,8 +126,8 @@ void hobe_lua_where(lua_State *L);
 
 /* Raise an error, the place in front: with a format of lua_pushfstring; from err, whose own
  * `where` goes before the place of the call. */
-int hobe_lua_fail(lua_State *L, const char *format, ...);
-int hobe_lua_raise(lua_State *L, const struct hobe_error *err);
+int hobe_lua_fail(lua_State *L, const char *format, ...) __attribute__((noreturn));
+int hobe_lua_raise(lua_State *L, const struct hobe_error *err) __attribute__((noreturn));
 
 /* Raises when a text of ours is incomplete for want of memory. */
 void hobe_lua_check_text(lua_State *L, const struct hobe_text *text);
@@ -117,17 +146,21 @@ enum hobe_lua_format { HOBE_LUA_TABLE, HOBE_LUA_JSON, HOBE_LUA_CSV };
  * of the stack, when a value missed its expectation, else 0. */
 int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to);
 
-/* Writes the reference of the Lua module as Markdown. */
+/* Writes the reference of the Lua module as Markdown (lua_docs.c). */
 void hobe_lua_print_docs(FILE *to);
 
 /* ---- limits and sandbox (lua_limits.c, lua_sandbox.c) --------------------------------------- */
 
-/* A Lua state for the program whose memory ends at `bytes`, or NULL; 0: no limit.  One a process.
- * A script that asks for more ends the process with a sentence. */
-lua_State *hobe_lua_new_state(size_t bytes);
+/* A Lua state for the program, to run the case in file `script`; its memory ends at `bytes` (0: no
+ * limit).  NULL when there is no memory.  One a process: a script that asks for more memory, or
+ * time, than it may have ends the process with a sentence. */
+lua_State *hobe_lua_new_state(const char *script, size_t bytes);
 
-/* Starts the clock: the script in file `name` may spend `seconds` (of processor time) in Lua. */
-void hobe_lua_start_clock(lua_State *L, const char *name, double seconds);
+/* Ends the process where the limit of memory was met, even if the script has caught the error. */
+void hobe_lua_check_memory(void);
+
+/* Starts the clock: the script may spend `seconds` of processor time in Lua. */
+void hobe_lua_start_clock(lua_State *L, double seconds);
 
 /* Around the work of a solver verb, which is not Lua's time.  No Lua error may be raised between
  * the two.  Nothing happens where no clock was started. */

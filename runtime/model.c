@@ -63,19 +63,22 @@ static void free_named(struct list *list, size_t size, size_t name_offset, int n
     hobe_free(list->item);
 }
 
+static void free_beam(struct beam *beam)
+{
+    if (!beam->borrowed)
+        hobe_element_free(beam->element);
+    hobe_free(beam->name);
+    hobe_free(beam->q0);
+    hobe_free(beam->q0_lanes);
+    hobe_free(beam->block);
+}
+
 void hobe_model_free(hobe_model *model)
 {
     if (!model)
         return;
-    for (size_t i = 0; i < model->beams.count; i++) {
-        struct beam *beam = model_beam(model, i);
-        if (!beam->borrowed)
-            hobe_element_free(beam->element);
-        hobe_free(beam->name);
-        hobe_free(beam->q0);
-        hobe_free(beam->q0_lanes);
-        hobe_free(beam->block);
-    }
+    for (size_t i = 0; i < model->beams.count; i++)
+        free_beam(model_beam(model, i));
     hobe_free(model->beams.item);
     free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 1);
     free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
@@ -206,6 +209,17 @@ static enum hobe_status prepare(const hobe_model *model, struct beam *beam, stru
     return HOBE_OK;
 }
 
+static enum hobe_status set_up_beam(const hobe_model *model, struct beam *beam,
+                                    struct hobe_error *err)
+{
+    beam->name = copy_text(beam->spec.name, err);
+    if (!beam->name)
+        return HOBE_NO_MEMORY;
+    beam->spec.name = beam->name;
+    const enum hobe_status status = set_frame(beam, err);
+    return status ? status : prepare(model, beam, err);
+}
+
 enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec,
                                  struct hobe_error *err)
 {
@@ -223,15 +237,13 @@ enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec
     if (!beam)
         return HOBE_NO_MEMORY;
     *beam = (struct beam){.spec = *spec};
-    beam->name = copy_text(spec->name, err);
-    if (!beam->name)
-        return HOBE_NO_MEMORY;
-    beam->spec.name = beam->name;
     const double start = hobe_seconds();
-    enum hobe_status status = set_frame(beam, err);
-    if (!status)
-        status = prepare(model, beam, err);
+    const enum hobe_status status = set_up_beam(model, beam, err);
     model->setup += hobe_seconds() - start;
+    if (status) { /* the model stays as it was */
+        free_beam(beam);
+        model->beams.count--;
+    }
     return status;
 }
 
@@ -593,6 +605,16 @@ static enum hobe_status apply_joins(hobe_model *model, struct hobe_error *err)
     return HOBE_OK;
 }
 
+/* A corner between held sections has nothing to say: its multipliers would be undetermined. */
+static void hold_idle_corners(hobe_model *model)
+{
+    for (size_t i = 0; i < model->corners.count; i++) {
+        const long *v = model_corner(model, i)->vector;
+        model->held[v[4]] =
+            model->held[v[0]] && model->held[v[1]] && model->held[v[2]] && model->held[v[3]];
+    }
+}
+
 /* A beam is held when its group of joined beams has a clamp: the joins and clamps of this room stop
  * all six rigid motions.  Beams are grouped by the vectors they share. */
 static enum hobe_status check_held(const hobe_model *model, struct hobe_error *err)
@@ -676,6 +698,7 @@ static enum hobe_status build(hobe_model *model, struct hobe_error *err)
         status = note_spurious(model, err);
     if (status)
         return status;
+    hold_idle_corners(model);
     number_unknowns(model);
     if (model->unknowns == 0)
         return hobe_fail(err, HOBE_BAD_INPUT, model_beam(model, 0)->spec.where,

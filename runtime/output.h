@@ -112,6 +112,7 @@ enum hobe_style { HOBE_STYLE_LINE, HOBE_STYLE_POINTS, HOBE_STYLE_LINESPOINTS };
 struct hobe_series {
     const char *label; /* may be NULL: not in the legend */
     enum hobe_style style;
+    int colour; /* 0 black, 1, 2, ... of a palette; < 0: its place among the series, from 1 */
     size_t count;
     const double *x, *y; /* [count], finite */
 };

@@ -71,9 +71,11 @@ static void extent(const struct hobe_plot *plot, double *box)
 static const char *legend(const struct hobe_plot *plot)
 {
     static const char *const corner[] = {"right top", "left top", "right bottom", "left bottom"};
-    size_t points[4] = {0}, best = 0;
+    size_t points[4] = {0}, best = 0, labels = 0;
     double box[4] = {0};
-    if (plot->count > 6)
+    for (size_t k = 0; k < plot->count; k++)
+        labels += plot->series[k].label && *plot->series[k].label;
+    if (labels > 6)
         return "outside right top";
     extent(plot, box);
     for (size_t k = 0; k < plot->count; k++) {
@@ -99,15 +101,31 @@ static void add_label(struct hobe_text *text, const char *what, const char *labe
     hobe_text_add(text, " noenhanced\n");
 }
 
+/* Colours that stay apart for most eyes (Okabe & Ito; Tol), after black. */
+static const char *colour(int index)
+{
+    static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
+                                          "#56b4e9", "#882255", "#999933", "#117733", "#aa4499",
+                                          "#7f7f7f", "#44aa99", "#8c564b", "#332288", "#b8a300"};
+    const int size = sizeof palette / sizeof *palette;
+    return index == 0 ? "#000000" : palette[(index - 1) % size];
+}
+
 static void add_series(struct hobe_text *text, const struct hobe_plot *plot, size_t k,
                        const char *data)
 {
-    static const char *const style[] = {"lines lw 2", "points ps 1.4", "linespoints lw 2 ps 1.2"};
+    static const char *const style[] = {"lines lw 2", "points ps 1.3 lw 1.5",
+                                        "linespoints lw 2 ps 1.2"};
+    static const int point[] = {6, 4, 8, 12, 10, 7, 5, 9}; /* open and filled, distinct */
     const struct hobe_series *series = &plot->series[k];
+    int index = series->colour < 0 ? (int)k + 1 : series->colour;
     hobe_text_add(text, "%s", k == 0 ? "plot " : ", \\\n     ");
     quote(text, data);
     hobe_text_add(text, " skip 1 using %zu:%zu with %s ", 2 * k + 1, 2 * k + 2,
                   style[series->style]);
+    if (series->style != HOBE_STYLE_LINE)
+        hobe_text_add(text, "pt %d ", point[index % 8]);
+    hobe_text_add(text, "lc rgb '%s' ", colour(index));
     if (!series->label || !*series->label) {
         hobe_text_add(text, "notitle");
         return;
@@ -131,10 +149,10 @@ void hobe_plot_script(struct hobe_text *text, const struct hobe_plot *plot, cons
     quote(text, image);
     hobe_text_add(text, "\nset output image\n"
                         "set datafile separator ','\n"
-                        "set colorsequence podo\n"
                         "set border 3 lw 1.2\n"
                         "set tics nomirror out\n"
                         "set grid lc rgb '#d8d8d8' lt 1 lw 1\n"
+                        "set autoscale noextend\n"
                         "set offsets graph 0.02, graph 0.02, graph 0.04, graph 0.04\n");
     hobe_text_add(text, "set key %s spacing 1.2 width 1\n", legend(plot));
     add_label(text, "title", plot->title);

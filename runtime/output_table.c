@@ -19,12 +19,13 @@ static int width(const char *text)
     return n;
 }
 
-/* A cell as people read it; digits[32] holds a number. */
+/* A cell as people read it: counts in full, else six digits; digits[32] holds a number. */
 static const char *show(const struct hobe_cell *cell, char *digits)
 {
     if (cell->text)
         return cell->text;
-    snprintf(digits, 32, "%.6g", cell->number);
+    int whole = cell->number == floor(cell->number) && fabs(cell->number) < 1e9;
+    snprintf(digits, 32, whole ? "%.0f" : "%.6g", cell->number);
     return digits;
 }
 
@@ -229,7 +230,7 @@ void hobe_report_json(struct hobe_text *text, const struct hobe_value *value, si
     int good = report != NULL;
     for (size_t i = 0; good && i < count; i++)
         good = add_value(report, &value[i]);
-    char *json = good ? cJSON_Print(root) : NULL;
+    char *json = good ? cJSON_PrintUnformatted(root) : NULL;
     if (json)
         hobe_text_add(text, "%s\n", json);
     else

@@ -10,9 +10,10 @@
 #include <string.h>
 
 enum {
-    WARPING_POINTS = 48, /* Gauss points per side for w: J to 1e-8, see tests/runtime */
+    WARPING_POINTS = 32, /* Gauss points per side or panel for w: J to 1e-8, see tests/runtime.
+                            Of the large rules GSL has but some to full precision: 32, 64, 96 */
     PAPER_POINTS = 3,    /* Tang et al. 2022 */
-    MAX_TERMS = 150,     /* the torsion constant's tail is below 1/(8 (2 n)^4): 2e-11 */
+    MAX_TERMS = 300,     /* the torsion constant's tail is below 1/(8 (2 n)^4): 1e-12 */
     MAX_POINTS = 3 * WARPING_POINTS
 };
 

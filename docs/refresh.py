@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Renews the numbers and pictures of the documentation: python3 docs/refresh.py
+
+A block in README.md between `<!-- $ COMMAND -->` and `<!-- end -->` holds what COMMAND prints; this
+script runs the commands in the top folder and puts their output there.  Pictures are drawn by the
+cases.  With --check nothing is written and the status tells whether a command failed.
+"""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+TOP = pathlib.Path(__file__).resolve().parent.parent
+BLOCK = re.compile(r"(<!-- \$ (.*?) -->\n```\w*\n).*?(```\n<!-- end -->)", re.S)
+PICTURES = {"twist.png": "princeton_twist.png"}  # of cases/princeton_angles.lua
+
+
+def run(command):
+    print("$", command, file=sys.stderr)
+    return subprocess.run(command, shell=True, cwd=TOP, check=True, text=True,
+                          stdout=subprocess.PIPE).stdout
+
+
+def main():
+    check = "--check" in sys.argv[1:]
+    readme = TOP / "README.md"
+    text = BLOCK.sub(lambda m: m[1] + run(m[2]) + m[3], readme.read_text(encoding="utf-8"))
+    with tempfile.TemporaryDirectory() as folder:
+        run(f"./hobe run cases/princeton_angles.lua --out {folder}")
+        if check:
+            return
+        for source, target in PICTURES.items():
+            shutil.copyfile(pathlib.Path(folder) / source, TOP / "docs" / target)
+    readme.write_text(text, encoding="utf-8")
+
+
+main()

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Tables and pictures that a case makes beside its report. */
+#include "lua_hobe.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- files ---------------------------------------------------------------------------------- */
+
+/* Raises unless `file` is a good name that ends with `ending`.  So it is checked without an output
+ * folder, too: whether a script is right must not depend on --out. */
+static void check_file(lua_State *L, const char *verb, const char *file, const char *ending)
+{
+    struct hobe_error err;
+    size_t size = strlen(file), end = strlen(ending);
+    if (size <= end || strcmp(file + size - end, ending))
+        hobe_lua_fail(L, "%s: file must end with %s, got \"%s\"", verb, ending, file);
+    if (hobe_check_name(file, &err))
+        hobe_lua_raise(L, &err);
+}
+
+/* In a stock Lua files appear at once. */
+static void publish(lua_State *L)
+{
+    if (!hobe_lua_context(L)->program)
+        hobe_lua_write_files(L);
+}
+
+/* The number of items of the list at index; raises where keys are not 1..n. */
+static size_t list_size(lua_State *L, int index, const char *what)
+{
+    size_t n = 0, size = lua_rawlen(L, index);
+    for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1))
+        n++;
+    if (n != size)
+        hobe_lua_fail(L, "%s must be a list without keys or holes", what);
+    return size;
+}
+
+/* ---- tables --------------------------------------------------------------------------------- */
+
+struct table {
+    const char *title, *file;
+};
+
+static const struct hobe_lua_key table_keys[] = {
+    KEY(struct table, title, KEY_TEXT, .doc = "a line above the table"),
+    KEY_OF_LIST("columns", REQUIRED, .doc = "heads of the columns"),
+    KEY_OF_LIST("rows", REQUIRED,
+                .doc = "a list of rows, each a list of numbers and strings; nil is empty"),
+    KEY(struct table, file, KEY_TEXT, .doc = "CSV file in the output folder, with all digits"),
+    {0}};
+
+static const struct hobe_lua_schema table_schema = {"table", table_keys};
+
+/* Pushes an array of the strings of the list columns. */
+static const char **push_head(lua_State *L, size_t *columns)
+{
+    hobe_lua_push_key(L, 1, &table_schema, "columns");
+    int list = lua_gettop(L);
+    *columns = list_size(L, list, "table: columns");
+    if (*columns == 0)
+        hobe_lua_fail(L, "table: columns must have at least one head");
+    const char **head = lua_newuserdatauv(L, *columns * sizeof *head, 0);
+    for (size_t j = 0; j < *columns; j++) {
+        lua_rawgeti(L, list, (lua_Integer)j + 1);
+        head[j] = hobe_lua_text(L, -1, "table: a head in columns");
+        lua_pop(L, 1);
+    }
+    return head;
+}
+
+/* Reads the cells of row i (from 0), which is on top of the stack. */
+static void read_row(lua_State *L, size_t i, size_t columns, struct hobe_cell *cell)
+{
+    if (!lua_istable(L, -1) || lua_rawlen(L, -1) > columns)
+        hobe_lua_fail(L, "table: rows[%d] must be a list of at most %d cells, got %s", (int)i + 1,
+                      (int)columns, hobe_lua_describe(L, -1));
+    for (size_t j = 0; j < columns; j++) {
+        const char *what = lua_pushfstring(L, "table: rows[%d][%d]", (int)i + 1, (int)j + 1);
+        int type = lua_rawgeti(L, -2, (lua_Integer)j + 1);
+        cell[j] = (struct hobe_cell){"", 0};
+        if (type == LUA_TNUMBER)
+            cell[j] = (struct hobe_cell){NULL, hobe_lua_number(L, -1, what)};
+        else if (type != LUA_TNIL)
+            cell[j].text = hobe_lua_text(L, -1, what);
+        lua_pop(L, 2);
+    }
+}
+
+/* Pushes an array of all cells. */
+static const struct hobe_cell *push_cells(lua_State *L, size_t columns, size_t *rows)
+{
+    hobe_lua_push_key(L, 1, &table_schema, "rows");
+    int list = lua_gettop(L);
+    *rows = list_size(L, list, "table: rows");
+    struct hobe_cell *cell = lua_newuserdatauv(L, (*rows * columns + 1) * sizeof *cell, 0);
+    for (size_t i = 0; i < *rows; i++) {
+        lua_rawgeti(L, list, (lua_Integer)i + 1);
+        read_row(L, i, columns, cell + i * columns);
+        lua_pop(L, 1);
+    }
+    return cell;
+}
+
+static void show_table(lua_State *L, const struct hobe_table *table)
+{
+    struct hobe_lua *context = hobe_lua_context(L);
+    hobe_table_text(&context->tables, table);
+    hobe_text_bytes(&context->tables, "\n", 1);
+    hobe_lua_check_text(L, &context->tables);
+    if (context->program)
+        return;
+    fputs(context->tables.at, stdout);
+    hobe_text_free(&context->tables);
+}
+
+/* hobe.table{title =, columns =, rows =, file =} */
+static int make_table(lua_State *L)
+{
+    struct table read;
+    struct hobe_table table;
+    lua_settop(L, 1);
+    hobe_lua_read(L, 1, &table_schema, &read);
+    if (read.file)
+        check_file(L, "table", read.file, ".csv");
+    table.title = read.title;
+    table.head = push_head(L, &table.columns);
+    table.cell = push_cells(L, table.columns, &table.rows);
+    show_table(L, &table);
+    if (!read.file || !hobe_lua_context(L)->folder)
+        return 0;
+    hobe_table_csv(hobe_lua_stage(L, read.file), &table);
+    publish(L);
+    return 0;
+}
+
+/* ---- pictures ------------------------------------------------------------------------------- */
+
+struct series {
+    const char *label;
+    int style, colour;
+};
+
+static const struct hobe_lua_key series_keys[] = {
+    KEY(struct series, label, KEY_TEXT, .doc = "its name in the legend"),
+    KEY_OF_LIST("x", REQUIRED, .doc = "numbers"),
+    KEY_OF_LIST("y", REQUIRED, .doc = "as many numbers"),
+    KEY(struct series, style, KEY_CHOICE, .choices = "line|points|linespoints", .word = "line",
+        .doc = "how it is drawn"),
+    KEY(struct series, colour, KEY_WHOLE, KEY_WITHIN(0, 1000), .fallback = -1,
+        .doc = "0 black, 1, 2, ... of a palette; -1: by its place among the series"),
+    {0}};
+
+static const struct hobe_lua_schema series_schema = {"series", series_keys};
+
+struct plot {
+    const char *file, *title, *xlabel, *ylabel;
+};
+
+static const struct hobe_lua_key plot_keys[] = {
+    KEY(struct plot, file, KEY_TEXT, REQUIRED, .doc = "PNG file in the output folder"),
+    KEY(struct plot, title, KEY_TEXT, .doc = "a line above the picture"),
+    KEY(struct plot, xlabel, KEY_TEXT, .doc = "what the x axis shows"),
+    KEY(struct plot, ylabel, KEY_TEXT, .doc = "what the y axis shows"),
+    KEY_OF_LIST("series", REQUIRED, .group = &series_schema,
+                .doc = "a list of tables, one a curve"),
+    {0}};
+
+static const struct hobe_lua_schema plot_schema = {"plot", plot_keys};
+
+/* The numbers of list `key` of the series at index, in memory that the table at `keep` holds. */
+static const double *read_list(lua_State *L, int index, const char *what, const char *key, int keep,
+                               size_t *count)
+{
+    const char *full = lua_pushfstring(L, "%s.%s", what, key);
+    hobe_lua_push_key(L, index, &series_schema, key);
+    int list = lua_gettop(L);
+    *count = list_size(L, list, full);
+    double *x = lua_newuserdatauv(L, (*count + 1) * sizeof *x, 0);
+    lua_rawseti(L, keep, (lua_Integer)lua_rawlen(L, keep) + 1);
+    for (size_t i = 0; i < *count; i++) {
+        lua_rawgeti(L, list, (lua_Integer)i + 1);
+        if (lua_type(L, -1) != LUA_TNUMBER || !isfinite(lua_tonumber(L, -1))) {
+            full = lua_pushfstring(L, "%s[%d]", full, (int)i + 1);
+            hobe_lua_number(L, -2, full);
+        }
+        x[i] = lua_tonumber(L, -1);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 2);
+    return x;
+}
+
+/* Reads series i (from 0), which is on top of the stack. */
+static struct hobe_series read_series(lua_State *L, size_t i, int keep)
+{
+    const char *what = lua_pushfstring(L, "plot: series[%d]", (int)i + 1);
+    int index = lua_gettop(L) - 1;
+    struct series read;
+    struct hobe_series series;
+    size_t rows;
+    hobe_lua_read_group(L, index, what, &series_schema, &read);
+    series.label = read.label;
+    series.colour = read.colour;
+    series.style = read.style > 0 ? (enum hobe_style)(read.style - 1) : HOBE_STYLE_LINE;
+    series.x = read_list(L, index, what, "x", keep, &series.count);
+    series.y = read_list(L, index, what, "y", keep, &rows);
+    if (series.count != rows || rows == 0)
+        hobe_lua_fail(L, "%s must have as many numbers in y as in x, at least one, got %d and %d",
+                      what, (int)rows, (int)series.count);
+    lua_pop(L, 1);
+    return series;
+}
+
+/* Pushes all series. */
+static const struct hobe_series *push_series(lua_State *L, size_t *count)
+{
+    hobe_lua_push_key(L, 1, &plot_schema, "series");
+    int list = lua_gettop(L);
+    *count = list_size(L, list, "plot: series");
+    if (*count == 0)
+        hobe_lua_fail(L, "plot: series must have at least one series");
+    struct hobe_series *series = lua_newuserdatauv(L, *count * sizeof *series, 0);
+    lua_newtable(L);
+    int keep = lua_gettop(L);
+    for (size_t i = 0; i < *count; i++) {
+        lua_rawgeti(L, list, (lua_Integer)i + 1);
+        series[i] = read_series(L, i, keep);
+        lua_pop(L, 1);
+    }
+    return series;
+}
+
+static const char *last_part(const char *name)
+{
+    const char *slash = strrchr(name, '/');
+    return slash ? slash + 1 : name;
+}
+
+/* hobe.plot{file =, series =, ...} */
+static int make_plot(lua_State *L)
+{
+    struct plot read;
+    struct hobe_plot plot;
+    lua_settop(L, 1);
+    hobe_lua_read(L, 1, &plot_schema, &read);
+    check_file(L, "plot", read.file, ".png");
+    plot = (struct hobe_plot){read.title, read.xlabel, read.ylabel, 0, NULL};
+    plot.series = push_series(L, &plot.count);
+    if (!hobe_lua_context(L)->folder)
+        return 0;
+    lua_pushlstring(L, read.file, strlen(read.file) - strlen(".png"));
+    const char *data = lua_pushfstring(L, "%s.data.csv", lua_tostring(L, -1));
+    const char *script = lua_pushfstring(L, "%s.gp", lua_tostring(L, -2));
+    hobe_plot_data(hobe_lua_stage(L, data), &plot);
+    hobe_plot_script(hobe_lua_stage(L, script), &plot, last_part(data), last_part(read.file));
+    hobe_lua_stage_picture(L, read.file, script);
+    publish(L);
+    return 0;
+}
+
+const struct hobe_lua_entry hobe_lua_figure_entries[] = {
+    {"table", make_table, "hobe.table{columns = {...}, rows = {{...}, ...}}",
+     "A table on standard output (not with `--format json` or `csv`) and in a file.", &table_schema,
+     NULL},
+    {"plot", make_plot, "hobe.plot{file = \"x.png\", series = {{x = {...}, y = {...}}, ...}}",
+     "A picture in the output folder, drawn by gnuplot, with its numbers (`x.data.csv`) and its "
+     "script (`x.gp`) beside it.  Without an output folder nothing is done.",
+     &plot_schema, NULL},
+    {0}};

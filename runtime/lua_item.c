@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Beams, supports and loads: each constructor checks its table and returns an item that knows the
+ * line it was written in. */
+#include "lua_item.h"
+
+#include <string.h>
+
+enum { WHERE = 1, NAME, OTHER, ANCHORS = OTHER }; /* user values of an item */
+
+/* Pushes an item with a copy of the size bytes of `value`. */
+static struct hobe_lua_item *push_item(lua_State *L, enum hobe_lua_kind kind, const void *value,
+                                       size_t size)
+{
+    struct hobe_lua_item *item = lua_newuserdatauv(L, sizeof *item, ANCHORS);
+    memset(item, 0, sizeof *item);
+    item->kind = kind;
+    memcpy(&item->as, value, size);
+    if (luaL_newmetatable(L, HOBE_LUA_ITEM)) {
+        lua_pushliteral(L, "part of a scene"); /* what sentences call it */
+        lua_setfield(L, -2, "__name");
+        lua_pushboolean(L, 0);
+        lua_setfield(L, -2, "__metatable");
+    }
+    lua_setmetatable(L, -2);
+    hobe_lua_where(L);
+    return item;
+}
+
+/* Keeps the string on top of the stack alive with the item below it, and returns it. */
+static const char *keep(lua_State *L, int anchor)
+{
+    const char *s = lua_tostring(L, -1);
+    lua_setiuservalue(L, -2, anchor);
+    return s;
+}
+
+/* The same for a copy of s. */
+static const char *keep_copy(lua_State *L, const char *s, int anchor)
+{
+    lua_pushstring(L, s);
+    return keep(L, anchor);
+}
+
+#define BEAM_NAME(owner)                                                                           \
+    KEY(owner, beam, KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam")
+#define PLACE(owner)                                                                               \
+    KEY(owner, at, KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),                                         \
+        .doc = "place on the beam, as a fraction of its length")
+
+/* ---- beams ---------------------------------------------------------------------------------- */
+
+#define MATERIAL(name, ...) KEY(struct hobe_material, name, KEY_NUMBER, __VA_ARGS__)
+
+static const struct hobe_lua_key material_keys[] = {
+    MATERIAL(E, REQUIRED, KEY_ABOVE(0), .unit = "Pa", .doc = "Young's modulus"),
+    MATERIAL(nu, REQUIRED, KEY_BETWEEN(-1, 0.5), .doc = "Poisson's ratio"),
+    MATERIAL(rho, KEY_FROM(0), .unit = "kg/m^3", .doc = "density; needed where mass matters"),
+    MATERIAL(k2, KEY_ABOVE(0), .fallback = 1, .doc = "shear correction on xz"),
+    MATERIAL(k3, KEY_ABOVE(0), .fallback = 1, .doc = "shear correction on xy"),
+    {0}};
+
+const struct hobe_lua_schema hobe_lua_material_schema = {"material", material_keys};
+
+struct beam {
+    struct hobe_beam beam;
+    const char *element;
+    int mechanics, integration;
+};
+
+#define BEAM(name, kind, ...) KEY_AS(#name, struct beam, beam.name, kind, __VA_ARGS__)
+
+static const struct hobe_lua_key beam_keys[] = {
+    BEAM(name, KEY_TEXT, REQUIRED, .doc = "its name in the scene, for loads and results"),
+    KEY(struct beam, element, KEY_TEXT, .word = "MGD30w",
+        .doc = "name of the element; see `hobe.elements()`"),
+    BEAM(elements, KEY_WHOLE, REQUIRED, KEY_WITHIN(1, 1e6), .doc = "number of elements"),
+    BEAM(section, KEY_SECTION, REQUIRED, .doc = "a section, such as hobe.rectangle{...}"),
+    BEAM(material, KEY_GROUP, REQUIRED, .group = &hobe_lua_material_schema,
+         .doc = "a table {E =, nu =, rho =, k2 =, k3 =}"),
+    BEAM(from, KEY_VECTOR, REQUIRED, .unit = "m", .doc = "the axis' begin {x, y, z}"),
+    BEAM(to, KEY_VECTOR, REQUIRED, .unit = "m", .doc = "the axis' end {x, y, z}"),
+    BEAM(up, KEY_VECTOR,
+         .doc = "where the section's z axis points to, made normal to the beam; global Z where "
+                "left out, or global -X for a beam along Z"),
+    KEY(struct beam, mechanics, KEY_CHOICE, .choices = "average|axis|full",
+        .doc = "where Poisson's coupling acts: on the strain averaged over the section, on the "
+               "axis (the paper), everywhere; the element's own choice where left out"),
+    KEY(struct beam, integration, KEY_CHOICE, .choices = "exact|paper", .word = "exact",
+        .doc = "exact, or 3 x 3 x 3 Gauss points and one term of the warping "
+               "series as in the paper"),
+    {0}};
+
+static const struct hobe_lua_schema beam_schema = {"beam", beam_keys};
+
+const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name)
+{
+    struct hobe_error err;
+    const struct hobe_kernel *kernel = hobe_find_kernel(name, &err);
+    if (!kernel)
+        hobe_lua_raise(L, &err);
+    return kernel;
+}
+
+static int beam(lua_State *L)
+{
+    struct beam read;
+    lua_settop(L, 1);
+    hobe_lua_read(L, 1, &beam_schema, &read);
+    read.beam.kernel = hobe_lua_find_kernel(L, read.element);
+    read.beam.mechanics = (enum hobe_mechanics)read.mechanics;
+    read.beam.integration = read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
+    struct hobe_beam *b = &push_item(L, ITEM_BEAM, &read.beam, sizeof read.beam)->as.beam;
+    b->where = keep(L, WHERE);
+    b->name = keep_copy(L, b->name, NAME);
+    hobe_lua_push_key(L, 1, &beam_schema, "section");
+    lua_setiuservalue(L, -2, OTHER);
+    return 1;
+}
+
+/* ---- supports ------------------------------------------------------------------------------- */
+
+static const struct hobe_lua_key clamp_keys[] = {
+    BEAM_NAME(struct hobe_clamp),
+    PLACE(struct hobe_clamp),
+    KEY_AS("warping", struct hobe_clamp, free_warping, KEY_CHOICE, .choices = "fixed|free",
+           .word = "fixed",
+           .doc = "whether the section may warp there: fixed holds every vector "
+                  "of the node, free only its position and slopes"),
+    {0}};
+
+static const struct hobe_lua_schema clamp_schema = {"clamp", clamp_keys};
+
+static int clamp(lua_State *L)
+{
+    struct hobe_clamp read;
+    hobe_lua_read(L, 1, &clamp_schema, &read);
+    read.free_warping = read.free_warping == 2;
+    struct hobe_clamp *c = &push_item(L, ITEM_CLAMP, &read, sizeof read)->as.clamp;
+    c->where = keep(L, WHERE);
+    c->beam = keep_copy(L, c->beam, NAME);
+    return 1;
+}
+
+static const struct hobe_lua_key join_keys[] = {
+    KEY_AS("beam", struct hobe_join, beam[0], KEY_TEXT, REQUIRED, .position = 1,
+           .doc = "name of one beam"),
+    KEY_AS("other", struct hobe_join, beam[1], KEY_TEXT, REQUIRED, .position = 2,
+           .doc = "name of the other beam"),
+    KEY(struct hobe_join, at, KEY_PAIR, REQUIRED, .doc = "the end of each that they share: 0 or 1"),
+    {0}};
+
+static const struct hobe_lua_schema join_schema = {"join", join_keys};
+
+static int join(lua_State *L)
+{
+    struct hobe_join read;
+    hobe_lua_read(L, 1, &join_schema, &read);
+    for (int i = 0; i < 2; i++)
+        if (read.at[i] != 0 && read.at[i] != 1)
+            hobe_lua_fail(L, "join: at[%d] must be an end of the beam, 0 or 1, got %f", i + 1,
+                          read.at[i]);
+    struct hobe_join *j = &push_item(L, ITEM_JOIN, &read, sizeof read)->as.join;
+    j->where = keep(L, WHERE);
+    j->beam[0] = keep_copy(L, j->beam[0], NAME);
+    j->beam[1] = keep_copy(L, j->beam[1], OTHER);
+    return 1;
+}
+
+/* ---- loads ---------------------------------------------------------------------------------- */
+
+static const struct hobe_lua_key force_keys[] = {
+    BEAM_NAME(struct hobe_force),
+    PLACE(struct hobe_force),
+    KEY(struct hobe_force, value, KEY_VECTOR, REQUIRED, .unit = "N",
+        .doc = "the force {x, y, z}, global axes"),
+    KEY(struct hobe_force, follower, KEY_FLAG,
+        .doc = "whether the force turns with the section (false: it keeps its direction)"),
+    {0}};
+
+static const struct hobe_lua_key moment_keys[] = {
+    BEAM_NAME(struct hobe_moment),
+    PLACE(struct hobe_moment),
+    KEY(struct hobe_moment, value, KEY_VECTOR, REQUIRED, .unit = "N m",
+        .doc = "the moment {x, y, z} about the global axes"),
+    {0}};
+
+static const struct hobe_lua_key gravity_keys[] = {
+    KEY(struct hobe_lua_gravity, value, KEY_VECTOR, REQUIRED, .position = 1, .unit = "m/s^2",
+        .doc = "the acceleration {x, y, z}, global axes"),
+    {0}};
+
+static const struct hobe_lua_schema force_schema = {"force", force_keys};
+static const struct hobe_lua_schema moment_schema = {"moment", moment_keys};
+static const struct hobe_lua_schema gravity_schema = {"gravity", gravity_keys};
+
+static int force(lua_State *L)
+{
+    struct hobe_force read;
+    hobe_lua_read(L, 1, &force_schema, &read);
+    struct hobe_force *f = &push_item(L, ITEM_FORCE, &read, sizeof read)->as.force;
+    f->where = keep(L, WHERE);
+    f->beam = keep_copy(L, f->beam, NAME);
+    return 1;
+}
+
+static int moment(lua_State *L)
+{
+    struct hobe_moment read;
+    hobe_lua_read(L, 1, &moment_schema, &read);
+    struct hobe_moment *m = &push_item(L, ITEM_MOMENT, &read, sizeof read)->as.moment;
+    m->where = keep(L, WHERE);
+    m->beam = keep_copy(L, m->beam, NAME);
+    return 1;
+}
+
+static int gravity(lua_State *L)
+{
+    struct hobe_lua_gravity read;
+    hobe_lua_read(L, 1, &gravity_schema, &read);
+    struct hobe_lua_gravity *g = &push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
+    g->where = keep(L, WHERE);
+    return 1;
+}
+
+const struct hobe_lua_entry hobe_lua_item_entries[] = {
+    {"beam", beam, "hobe.beam{name =, element =, elements =, section =, material =, from =, to =}",
+     "A straight prismatic beam of equal elements.", &beam_schema, NULL},
+    {"clamp", clamp, "hobe.clamp{\"beam\", at =}", "Holds a node of a beam in place and direction.",
+     &clamp_schema, NULL},
+    {"join", join, "hobe.join{\"a\", \"b\", at = {1, 0}}",
+     "Makes ends of two beams one node, rigidly, at any angle; the ends must coincide.",
+     &join_schema, NULL},
+    {"force", force, "hobe.force{\"beam\", at =, value = {x, y, z}}",
+     "A point force on the axis of a beam, dead or following the section.", &force_schema, NULL},
+    {"moment", moment, "hobe.moment{\"beam\", at =, value = {x, y, z}}",
+     "A moment, conservative: its potential is the sum over the global axes a of M_a times the "
+     "angles of the section's slopes about a, each slope with its weight.",
+     &moment_schema, NULL},
+    {"gravity", gravity, "hobe.gravity{0, 0, -9.81}",
+     "Gravity on every beam of the scene; several add up.", &gravity_schema, NULL},
+    {0}};

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Items of a scene, between their constructors (lua_item.c) and the scene (lua_scene.c). */
+#ifndef HOBE_LUA_ITEM_H
+#define HOBE_LUA_ITEM_H
+
+#include "lua_hobe.h"
+
+#define HOBE_LUA_ITEM  "hobe.item"
+#define HOBE_LUA_SCENE "hobe.scene"
+
+enum hobe_lua_kind { ITEM_BEAM, ITEM_CLAMP, ITEM_FORCE, ITEM_MOMENT, ITEM_GRAVITY, ITEM_JOIN };
+
+struct hobe_lua_gravity {
+    const char *where;
+    double value[3]; /* m/s^2 */
+};
+
+/* A checked item as userdata.  The strings and the section it points to are kept in its user
+ * values, its `where` ("file:line" of the constructor's call) in the first. */
+struct hobe_lua_item {
+    enum hobe_lua_kind kind;
+    union {
+        struct hobe_beam beam;
+        struct hobe_clamp clamp;
+        struct hobe_force force;
+        struct hobe_moment moment;
+        struct hobe_lua_gravity gravity;
+        struct hobe_join join;
+    } as;
+};
+
+/* A scene as userdata; its user value is the list of its items. */
+struct hobe_lua_scene {
+    hobe_model *model;
+};
+
+/* The keys material = {...}, fit for struct hobe_material. */
+extern const struct hobe_lua_schema hobe_lua_material_schema;
+
+/* The kernel called name; raises where there is none. */
+const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name);
+
+#endif

@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solver verbs and their results. */
+#define _GNU_SOURCE
+#include "lua_item.h"
+
+#include <string.h>
+#include <time.h>
+
+#define RESULT "hobe.result"
+
+struct result { /* its user value is the scene */
+    hobe_solution *solution;
+    const hobe_model *model;
+};
+
+/* ---- Newton's log --------------------------------------------------------------------------- */
+
+/* What the solver tells us as it goes.  The core must not be left by an error of Lua, so that
+ * nothing here calls Lua. */
+struct watch {
+    struct hobe_lua *context;
+    int log;      /* write each iteration to stderr */
+    int shown;    /* a progress line stands on the terminal */
+    double since; /* when it was last renewed, s */
+};
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void write_row(struct hobe_text *text, int solve, const struct hobe_iteration *it)
+{
+    if (text->size == 0)
+        hobe_text_add(text, "solve,step,iteration,load,residual,energy,line,note\n");
+    hobe_text_add(text, "%d,%d,%d,%.6g,%.6g,%.6g,%.6g,", solve, it->step, it->iteration, it->load,
+                  it->residual, it->energy, it->line);
+    hobe_text_csv(text, it->note ? it->note : "");
+    hobe_text_bytes(text, "\n", 1);
+}
+
+static void watch_iteration(void *p, const struct hobe_iteration *it)
+{
+    struct watch *watch = p;
+    if (watch->context->program && watch->context->folder)
+        write_row(&watch->context->newton, watch->context->solves, it);
+    if (watch->log) {
+        const char *note = it->note ? it->note : "";
+        fprintf(stderr, "%5d %5d %9.6f %10.3e %10.3e %6.3f%s%s\n", it->step, it->iteration,
+                it->load, it->residual, it->energy, it->line, *note ? "  " : "", note);
+    } else if (watch->context->progress && now() - watch->since > 0.2) {
+        fprintf(stderr, "\rload %.4f, step %d, iteration %d, residual %.1e\033[K", it->load,
+                it->step, it->iteration, it->residual);
+        watch->since = now();
+        watch->shown = 1;
+    }
+}
+
+static void begin_watch(struct watch *watch, struct hobe_lua *context, int log)
+{
+    *watch = (struct watch){context, log || context->log, 0, now()};
+    context->solves++;
+    if (watch->log)
+        fprintf(stderr, " step  iter      load   residual     energy   line  (solve %d)\n",
+                context->solves);
+}
+
+static void end_watch(const struct watch *watch)
+{
+    if (watch->shown)
+        fputs("\r\033[K", stderr);
+}
+
+/* ---- results -------------------------------------------------------------------------------- */
+
+static int finalize(lua_State *L)
+{
+    struct result *result = luaL_checkudata(L, 1, RESULT);
+    hobe_solution_free(result->solution);
+    result->solution = NULL;
+    return 0;
+}
+
+/* All numbers of a result that are not at a place. */
+struct summary {
+    struct hobe_solution_info solution;
+    struct hobe_model_info model;
+};
+
+#define SOLVED(key, field, type, unit, doc)                                                        \
+    {                                                                                              \
+        key, type, offsetof(struct summary, field), unit, doc                                      \
+    }
+
+static const struct hobe_lua_field fields[] = {
+    SOLVED("steps", solution.steps, 'i', NULL, "load steps taken"),
+    SOLVED("iterations", solution.iterations, 'i', NULL, "Newton iterations in all"),
+    SOLVED("cutbacks", solution.cutbacks, 'i', NULL, "steps that were given up and halved"),
+    SOLVED("factorisations", solution.factorisations, 'i', NULL, "factorisations in all"),
+    SOLVED("residual", solution.residual, 'd', NULL, "relative residual at the end"),
+    SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
+    SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
+           "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
+    SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
+    SOLVED("setup_seconds", model.setup, 'd', "s", "building the scene"),
+    SOLVED("solve_seconds", solution.seconds, 'd', "s", "solving"),
+    {0}};
+
+static struct summary summarize(lua_State *L)
+{
+    struct result *result = luaL_checkudata(L, 1, RESULT);
+    struct summary summary;
+    hobe_solution_info(result->solution, &summary.solution);
+    hobe_model_info(result->model, &summary.model);
+    return summary;
+}
+
+static int get_field(lua_State *L)
+{
+    struct summary summary = summarize(L);
+    return hobe_lua_push_field(L, "a result", fields, &summary, lua_tostring(L, 2));
+}
+
+/* r:report() */
+static int report(lua_State *L)
+{
+    struct summary summary = summarize(L);
+    lua_newtable(L);
+    for (const struct hobe_lua_field *field = fields; field->name; field++) {
+        hobe_lua_push_field(L, "a result", fields, &summary, field->name);
+        lua_setfield(L, -2, field->name);
+    }
+    return 1;
+}
+
+static const struct hobe_lua_key at_key = {.name = "at",
+                                           .type = KEY_NUMBER,
+                                           REQUIRED,
+                                           KEY_WITHIN(0, 1),
+                                           .doc = "a fraction of the beam's length"};
+static const struct hobe_lua_key offset_key = {.name = "offset", .type = KEY_NUMBER};
+
+/* The point (beam, at, y, z) that the arguments of a method ask for; `name` is the method. */
+static struct hobe_point read_point(lua_State *L, const char *name)
+{
+    struct result *result = luaL_checkudata(L, 1, RESULT);
+    struct hobe_point point;
+    struct hobe_error err;
+    double at, y, z;
+    lua_settop(L, 5);
+    const char *beam = hobe_lua_text(L, 2, lua_pushfstring(L, "%s: the beam", name));
+    hobe_lua_read_value(L, 3, lua_pushfstring(L, "%s: at", name), &at_key, &at);
+    hobe_lua_read_value(L, 4, lua_pushfstring(L, "%s: y", name), &offset_key, &y);
+    hobe_lua_read_value(L, 5, lua_pushfstring(L, "%s: z", name), &offset_key, &z);
+    if (hobe_solution_point(result->solution, beam, at, y, z, &point, &err))
+        hobe_lua_raise(L, &err);
+    return point;
+}
+
+static int displacement(lua_State *L)
+{
+    return hobe_lua_push_numbers(L, read_point(L, "displacement").u, 3);
+}
+
+static int position(lua_State *L)
+{
+    return hobe_lua_push_numbers(L, read_point(L, "position").r, 3);
+}
+
+static int rotation(lua_State *L)
+{
+    return hobe_lua_push_numbers(L, read_point(L, "rotation").rotation, 3);
+}
+
+static int strain(lua_State *L)
+{
+    return hobe_lua_push_numbers(L, read_point(L, "strain").strain, 6);
+}
+
+static int twist(lua_State *L)
+{
+    lua_pushnumber(L, read_point(L, "twist").twist);
+    return 1;
+}
+
+const struct hobe_lua_entry hobe_lua_result_methods[] = {
+    {"displacement", displacement, "r:displacement(beam, at [, y, z])",
+     "`{u1, u2, u3}`, m, global axes, at the fraction `at` of the beam's length; of the axis, or "
+     "of the point (y, z) of the section, m from the centroid.",
+     NULL, NULL},
+    {"position", position, "r:position(beam, at [, y, z])", "`{x, y, z}`, m, global axes.", NULL,
+     NULL},
+    {"rotation", rotation, "r:rotation(beam, at)",
+     "The rotation vector of the section, rad, global axes.", NULL, NULL},
+    {"twist", twist, "r:twist(beam, at)",
+     "`atan2(-r_z.Y, r_z.Z)`, rad, with Y and Z the section's axes before the load.  The slope "
+     "`r_y` would give another angle.",
+     NULL, NULL},
+    {"strain", strain, "r:strain(beam, at [, y, z])",
+     "Green-Lagrange strain `{xx, yy, zz, 2yz, 2xz, 2xy}` in the section's axes.", NULL, NULL},
+    {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
+    {0}};
+
+/* ---- statics -------------------------------------------------------------------------------- */
+
+struct options {
+    struct hobe_newton newton;
+    int line_search, log;
+};
+
+#define NEWTON(name, kind, ...) KEY_AS(#name, struct options, newton.name, kind, __VA_ARGS__)
+
+static const struct hobe_lua_key static_keys[] = {
+    NEWTON(steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 1, .doc = "load steps to begin with"),
+    NEWTON(tolerance, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-9,
+           .doc = "residual to reach, relative to the load"),
+    NEWTON(max_iterations, KEY_WHOLE, KEY_WITHIN(1, 1000), .fallback = 30,
+           .doc = "iterations of a step before it is cut"),
+    NEWTON(smallest_step, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
+           .doc = "share of the load below which a step is not cut"),
+    KEY(struct options, line_search, KEY_FLAG, .fallback = 1,
+        .doc = "whether steps that increase the residual are shortened"),
+    KEY(struct options, log, KEY_FLAG, .doc = "print each iteration on standard error"),
+    {0}};
+
+static const struct hobe_lua_schema static_schema = {"static", static_keys};
+
+static void read_options(lua_State *L, struct options *options)
+{
+    memset(options, 0, sizeof *options);
+    if (lua_isnil(L, 2)) {
+        lua_newtable(L);
+        lua_replace(L, 2);
+    }
+    hobe_lua_read(L, 2, &static_schema, options);
+    options->newton.no_line_search = !options->line_search;
+}
+
+/* hobe.static(scene, options) */
+static int solve_static(lua_State *L)
+{
+    lua_settop(L, 2);
+    struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
+    struct options options;
+    struct watch watch;
+    struct hobe_error err;
+    if (!scene)
+        hobe_lua_fail(L, "static must be given a scene, static(hobe.scene{...}), got %s",
+                      hobe_lua_describe(L, 1));
+    read_options(L, &options);
+    struct result *result = lua_newuserdatauv(L, sizeof *result, 1);
+    *result = (struct result){NULL, scene->model};
+    hobe_lua_set_type(L, RESULT, finalize, hobe_lua_result_methods, get_field);
+    lua_pushvalue(L, 1);
+    lua_setiuservalue(L, -2, 1);
+    options.newton.log = watch_iteration;
+    options.newton.context = &watch;
+    hobe_lua_pause_clock();
+    begin_watch(&watch, hobe_lua_context(L), options.log);
+    enum hobe_status status = hobe_static(scene->model, &options.newton, &result->solution, &err);
+    end_watch(&watch);
+    hobe_lua_resume_clock();
+    if (status)
+        hobe_lua_raise(L, &err);
+    return 1;
+}
+
+const struct hobe_lua_entry hobe_lua_solve_entries[] = {
+    {"static", solve_static, "hobe.static(scene [, {steps =, ...}])",
+     "Static equilibrium under all loads, from the reference: load steps with automatic "
+     "cut-back, Newton's iteration with line search.  Returns a result.",
+     &static_schema, fields},
+    {0}};

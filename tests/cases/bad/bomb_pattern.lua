@@ -1,0 +1,3 @@
+-- expect: bad/bomb_pattern\.lua:3: the script spent more than 0.3 s in Lua itself \(--time-limit S allows more\)$
+-- args: --time-limit 0.3
+string.find(("a"):rep(40), ("a*"):rep(30) .. "b")

@@ -1,0 +1,4 @@
+-- expect: bad/bomb_table\.lua:4: the script needs more than 16 MB of memory \(--memory-limit MB allows more\)$
+-- args: --memory-limit 16
+local t = {}
+while true do t[#t + 1] = { #t } end

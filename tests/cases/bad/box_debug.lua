@@ -1,0 +1,2 @@
+-- expect: bad/box_debug\.lua:2: debug.getregistry is not for case scripts \(hobe run --trust allows it\)$
+debug.getregistry()

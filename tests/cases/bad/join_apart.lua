@@ -1,0 +1,14 @@
+-- expect: bad/join_apart\.lua:10: the joined ends of "blade" and "tail" are 1 m apart; they must coincide$
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local scene = hobe.scene{
+  hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+             from = {0, 0, 0}, to = {1, 0, 0} },
+  hobe.beam{ name = "tail", elements = 1, section = section, material = steel,
+             from = {2, 0, 0}, to = {3, 0, 0} },
+  hobe.join{ "blade", "tail", at = {1, 0} },
+  hobe.clamp{ "blade", at = 0 },
+  hobe.force{ "blade", at = 1, value = {0, 0, -10} },
+}
+hobe.static(scene)

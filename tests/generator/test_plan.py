@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The contraction plan: its operations counted, and its algebra exact."""
+
+import re
+import unittest
+from fractions import Fraction
+from random import Random
+
+from declare import HEAD, PLANE, Case, c_text, shipped
+from generator import plan
+from generator.ir import Counter, Do, For, Function, If, Let, Note, loop, operations
+from interpret import Machine, Pointer, empty, lanes, structure, values
+
+HALF = Fraction(1, 2)
+
+
+class Small(unittest.TestCase):
+    """Counts worked out by hand."""
+
+    def test_statement(self):
+        for text, count in (("a[i] = zero;", 0), ("a[i * n + 1] += b * c[2 * j - 1];", 2),
+                            ("a = b - c / d;", 2), ("a[k[i + 1] * 2] = b[i] + c;", 1),
+                            ("sum += half * w;", 2),
+                            ("a = f(b + 3 * i) * g(c, h(d - 1));", 1)):
+            with self.subTest(text):
+                self.assertEqual(operations(text), count)
+
+    def test_loop_nest(self):
+        n = 4
+        body = (
+            Do("hobe_real s[2 * n], *p = s + 1;", free=True),
+            Note("a + b * c"),
+            loop("i", "n",                                    # 4 times
+                 Do("x[i] = y[i] * z;"),                      # 1
+                 Let("m", "kind[i]"),
+                 For("j", "i", "n", (                         # 4 + 3 + 2 + 1 times
+                     Do("x[i] += y[j] * z;"),                 # 2
+                     If("m > 0 && j > i", (Do("x[j] += z;"),)),  # 1; at i = 1: 2, at i = 3: 0
+                 )),
+                 If("kind[i] == 2", (loop("a", "3", Do("x[a] = x[a] + x[a];")),))),  # 3, at i = 3
+            loop("k", "n * (n + 1) / 2", Do("x[0] += z;")),   # 10
+        )
+        arguments = "const hobe_real *y", "hobe_real *x", "hobe_real z"
+        callee = Function("callee", arguments, "", body)
+        square = Function("square", ("const hobe_real *a",), "", (Do("return a[0] * a[0];"),),
+                          result="hobe_real")
+        caller = Function("caller", arguments, "", (
+            Do("callee(y, x, z);"),
+            loop("i", "2", Do("callee(y, x, z);")),
+            Do("x[0] += square(y + 3 * 0) + square(y + 1) * z;")))
+        by_hand = 4 * 1 + 10 * 2 + (2 + 0) * 1 + 3 + 10
+        above = 3 * by_hand + 3 + 2 * 1
+        tables = {"n": n, "kind": [0, 1, 0, 2]}
+        counter = Counter((callee, square, caller), tables)
+        self.assertEqual(counter.count("callee"), by_hand)
+        self.assertEqual(counter.count("caller"), above)
+        machine = Machine((callee, square, caller), tables)
+        x, y, z = lanes([0] * n), lanes(range(n)), lanes([2])[0]
+        self.assertEqual(machine.run("caller", y, x, z), above)
+
+
+class State:
+    """An element with random exact coefficients, as a plan's functions see it."""
+
+    def __init__(self, element, stations, translates=True):
+        random = Random(1)
+        self.element, self.size = element, element.sizes
+        self.vectors = element.declaration.vectors
+        v, normals, shears = (self.size[k] for k in ("V", "NN", "NS"))
+        self.position = [int(vector.mode == 0 and not vector.slope) for vector in self.vectors]
+        self.machine = Machine(plan.functions(), {
+            **self.size, "mode": [vector.mode for vector in self.vectors],
+            "position": self.position})
+
+        def some(count):
+            return [Fraction(random.randint(-9, 9)) for _ in range(count)]
+
+        self.N, self.Nx, self.wx = some(v * stations), some(v * stations), some(stations)
+        if translates:  # the slopes of the positions' functions add up to zero
+            places = [i for i, is_position in enumerate(self.position) if is_position]
+            for g in range(stations):
+                self.Nx[g * v + places[0]] -= sum(self.Nx[g * v + i] for i in places)
+        self.Qn, self.Qs = self._symmetric(some(normals**2)), self._symmetric(some(shears**2))
+        self.inv = structure(stations=stations, step_n=0, step_s=0, N=Pointer(self.N),
+                             Nx=Pointer(self.Nx), wx=Pointer(self.wx), Qn=Pointer(self.Qn),
+                             Qs=Pointer(self.Qs))
+        self.q0, self.u, self.h = some(3 * v), some(3 * v), some(3 * v)
+
+    @staticmethod
+    def _symmetric(entries):
+        n = int(len(entries)**0.5)
+        return [entries[max(r, c) * n + min(r, c)] for r in range(n) for c in range(n)]
+
+    def at(self, t):
+        return [a + t * b for a, b in zip(self.u, self.h)]
+
+    def relative(self, q):
+        """Vectors with positions from the first node's."""
+        return [x - self.position[i // 3] * q[i % 3] for i, x in enumerate(q)]
+
+    def energy(self, u):
+        out = empty(1)
+        self.machine.run("energy_part", self.inv, lanes(self.q0), lanes(u), out)
+        return values(out)[0]
+
+    def force(self, u):
+        out = empty(3 * self.size["V"])
+        self.machine.run("force_part", self.inv, lanes(self.q0), lanes(u), out)
+        return values(out)
+
+    def tangent(self, u):
+        """Force, and the tangent as a full matrix."""
+        v, s = self.size["V"], self.size["S"]
+        out, packed = empty(3 * v), empty(9 * v * (v + 1) // 2)
+        scratch = empty(9 * s * s + 3 * (self.size["NN"] + self.size["NS"]))
+        self.machine.run("tangent_part", self.inv, lanes(self.q0), lanes(u), out, packed, scratch)
+        entries = values(packed)
+        matrix = [[None] * (3 * v) for _ in range(3 * v)]
+        for i in range(v):
+            for j in range(i + 1):
+                for a in range(3):
+                    for b in range(3):
+                        entry = entries[9 * (i * (i + 1) // 2 + j) + 3 * a + b]
+                        matrix[3 * i + a][3 * j + b] = entry
+                        if i != j:
+                            matrix[3 * j + b][3 * i + a] = entry
+        return values(out), matrix
+
+    def trilinear(self, a, b, c):
+        out = empty(3 * self.size["V"])
+        self.machine.run("trilinear_part", self.inv, lanes(a), lanes(b), lanes(c), out)
+        return values(out)
+
+    def defined_energy(self, u):
+        """U = sum_g w_g s'Q s/2 from the definitions in kernel.h; positions from the first one."""
+        m, size = self.size["M"], self.size["V"]
+        total = 0
+        for g in range(self.inv.stations):
+            grams = []
+            for q in map(self.relative, (self.q0, [a + b for a, b in zip(self.q0, u)])):
+                prime, value = [[0] * 3 for _ in range(m)], [[0] * 3 for _ in range(m)]
+                for v, vector in enumerate(self.vectors):
+                    for a in range(3):
+                        prime[vector.mode][a] += self.Nx[g * size + v] * q[3 * v + a]
+                        value[vector.mode][a] += self.N[g * size + v] * q[3 * v + a]
+                normal = [dot(d[i], d[j]) * (HALF if i == j else 1)
+                          for d in (prime, value[1:]) for i in range(len(d)) for j in range(i + 1)]
+                grams.append((normal, [dot(p, d) for p in prime for d in value[1:]]))
+            for reference, now, q in zip(*grams, (self.Qn, self.Qs)):
+                s = [b - a for a, b in zip(reference, now)]
+                total += self.wx[g] * HALF * sum(s[r] * s[c] * q[r * len(s) + c]
+                                                 for r in range(len(s)) for c in range(len(s)))
+        return total
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def slope(f):
+    """f'(0) of a polynomial of degree 4 at most, exactly."""
+    return [(8 * (b - a) - (d - c)) / 12 for a, b, c, d in zip(f(-1), f(1), f(-2), f(2))]
+
+
+class Exact(Case):
+    """Identities of the plan in rationals: Hermite centreline, section function, two stations."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.state = State(shipped()["BE24w"], stations=2)
+
+    def test_energy(self):
+        """Equal to its definition, and formed from relative positions: a translation changes
+        nothing even where the axial functions, as if rounded, do not add up."""
+        state = State(self.state.element, stations=2, translates=False)
+        self.assertEqual(state.energy(state.u), state.defined_energy(state.u))
+        self.assertEqual(state.energy([Fraction(0)] * len(state.u)), 0)
+        moved = [x + 1000 * state.position[i // 3] for i, x in enumerate(state.u)]
+        self.assertEqual(state.energy(moved), state.energy(state.u))
+
+    def test_force(self):
+        """The slope of the energy."""
+        state = self.state
+        wanted, = slope(lambda t: [state.energy(state.at(t))])
+        self.assertEqual(dot(state.force(state.u), state.h), wanted)
+        self.assertNotEqual(wanted, 0)
+
+    def test_tangent(self):
+        """The slope of the force, which comes with it unchanged; symmetric diagonal blocks."""
+        state = self.state
+        force, matrix = state.tangent(state.u)
+        self.assertEqual(force, state.force(state.u))
+        self.assertEqual([dot(row, state.h) for row in matrix],
+                         slope(lambda t: state.force(state.at(t))))
+        self.assertEqual(matrix, [list(column) for column in zip(*matrix)])
+
+    def test_trilinear(self):
+        """Linear in each argument, symmetric in the last two, and the force when made so."""
+        state = self.state
+        q = [a + b for a, b in zip(state.q0, state.u)]
+        force = [a - b for a, b in zip(state.trilinear(q, q, q),
+                                       state.trilinear(q, state.q0, state.q0))]
+        self.assertEqual(force, state.force(state.u))
+        f = state.trilinear(state.u, state.q0, state.h)
+        self.assertEqual(f, state.trilinear(state.u, state.h, state.q0))
+        tripled = [3 * x for x in state.u]
+        self.assertEqual(state.trilinear(tripled, state.q0, state.h), [3 * x for x in f])
+        self.assertEqual(state.trilinear(state.q0, tripled, state.h),
+                         [3 * x for x in state.trilinear(state.q0, state.u, state.h)])
+
+
+class Counted(Case):
+    """The counts printed are those of an execution."""
+
+    def check(self, element):
+        state = State(element, element.stations)
+        v, s = state.size["V"], state.size["S"]
+        q, u, f = lanes(state.q0), lanes(state.u), empty(3 * v)
+        packed, scratch = empty(9 * v * (v + 1) // 2), empty(9 * s * s + 3 * s * s)
+        counts = [state.machine.run("force_part", state.inv, q, u, f),
+                  state.machine.run("tangent_part", state.inv, q, u, f, packed, scratch),
+                  state.machine.run("energy_part", state.inv, q, u, empty(1))]
+        text = c_text(element)
+        printed = re.search(r"operations per element: force (\d+), force and tangent (\d+), "
+                            r"energy (\d+)\n", text)
+        self.assertEqual([int(c) for c in printed.groups()], counts)
+        self.assertIn(f".flops_force = {counts[0]},", text)
+        self.assertIn(f".flops_tangent = {counts[1]},", text)
+
+    def test_shipped(self):
+        elements = shipped()
+        for name in ("BE24", "3333", "MGD30w"):
+            with self.subTest(name):
+                self.check(elements[name])
+
+    def test_new(self):
+        self.check(self.element(HEAD + PLANE + '[[field]]\nmodes = ["w", "yz"]\nlike = "y"\n'))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene.h"
+
+#include "check.h"
+
+#include <math.h>
+
+static void expect_ok(enum hobe_status status, const struct hobe_error *err)
+{
+    if (status)
+        check_stop("%s: %s", hobe_status_words(status), err->message);
+}
+
+hobe_section *rectangle(double width, double height)
+{
+    struct hobe_error err;
+    hobe_section *section = hobe_section_rectangle(width, height, HOBE_WARPING_SERIES, &err);
+    expect_ok(section ? HOBE_OK : err.status, &err);
+    return section;
+}
+
+struct hobe_section_properties properties_of(const hobe_section *section)
+{
+    struct hobe_section_properties p;
+    hobe_section_properties(section, &p);
+    return p;
+}
+
+struct hobe_beam beam_along_x(const char *element, int elements, const hobe_section *section,
+                              double E, double nu, double length)
+{
+    struct hobe_error err;
+    const struct hobe_kernel *kernel = hobe_find_kernel(element, &err);
+    expect_ok(kernel ? HOBE_OK : err.status, &err);
+    return (struct hobe_beam){.name = "beam",
+                              .kernel = kernel,
+                              .elements = elements,
+                              .section = section,
+                              .material = {.E = E, .nu = nu, .k2 = 1, .k3 = 1},
+                              .to = {length, 0, 0}};
+}
+
+hobe_model *new_model(void)
+{
+    struct hobe_error err;
+    hobe_model *model = hobe_model_new(&err);
+    expect_ok(model ? HOBE_OK : err.status, &err);
+    return model;
+}
+
+void add_beam(hobe_model *model, const struct hobe_beam *beam)
+{
+    struct hobe_error err;
+    expect_ok(hobe_model_beam(model, beam, &err), &err);
+}
+
+void add_clamp(hobe_model *model, const char *beam, double at, int free_warping)
+{
+    struct hobe_error err;
+    const struct hobe_clamp clamp = {.beam = beam, .at = at, .free_warping = free_warping};
+    expect_ok(hobe_model_clamp(model, &clamp, &err), &err);
+}
+
+void add_join(hobe_model *model, const char *first, double at, const char *second, double second_at)
+{
+    struct hobe_error err;
+    const struct hobe_join join = {.beam = {first, second}, .at = {at, second_at}};
+    expect_ok(hobe_model_join(model, &join, &err), &err);
+}
+
+void add_force(hobe_model *model, const char *beam, double at, double x, double y, double z)
+{
+    struct hobe_error err;
+    const struct hobe_force force = {.beam = beam, .at = at, .value = {x, y, z}};
+    expect_ok(hobe_model_force(model, &force, &err), &err);
+}
+
+void add_follower(hobe_model *model, const char *beam, double at, double x, double y, double z)
+{
+    struct hobe_error err;
+    const struct hobe_force force = {.beam = beam, .at = at, .value = {x, y, z}, .follower = 1};
+    expect_ok(hobe_model_force(model, &force, &err), &err);
+}
+
+void add_moment(hobe_model *model, const char *beam, double at, double x, double y, double z)
+{
+    struct hobe_error err;
+    const struct hobe_moment moment = {.beam = beam, .at = at, .value = {x, y, z}};
+    expect_ok(hobe_model_moment(model, &moment, &err), &err);
+}
+
+hobe_model *cantilever(const struct hobe_beam *beam, int free_warping)
+{
+    hobe_model *model = new_model();
+    add_beam(model, beam);
+    add_clamp(model, beam->name, 0, free_warping);
+    return model;
+}
+
+hobe_solution *solve(hobe_model *model, int steps)
+{
+    struct hobe_error err;
+    hobe_solution *solution;
+    const struct hobe_newton options = {.steps = steps, .tolerance = 1e-13};
+    expect_ok(hobe_static(model, &options, &solution, &err), &err);
+    return solution;
+}
+
+struct hobe_solution_info info_of(const hobe_solution *solution)
+{
+    struct hobe_solution_info info;
+    hobe_solution_info(solution, &info);
+    return info;
+}
+
+struct hobe_point point_of(const hobe_solution *solution, const char *beam, double at, double y,
+                           double z)
+{
+    struct hobe_error err;
+    struct hobe_point point;
+    expect_ok(hobe_solution_point(solution, beam, at, y, z, &point, &err), &err);
+    return point;
+}
+
+struct hobe_point tip_of(hobe_model *model, int steps)
+{
+    hobe_solution *solution = solve(model, steps);
+    const struct hobe_point tip = point_of(solution, "beam", 1, 0, 0);
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    return tip;
+}
+
+double norm(const double a[3])
+{
+    return hypot(hypot(a[0], a[1]), a[2]);
+}
+
+double distance(const double a[3], const double b[3])
+{
+    return norm((const double[3]){a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+}
