@@ -704,8 +704,8 @@ static const char *const mode_name[M] = {
     "1", "y", "z",
 };
 
-extern const struct hobe_kernel hobe_kernel_3333;
-const struct hobe_kernel hobe_kernel_3333 = {
+extern const struct hobe_kernel HOBE_KERNEL(3333);
+const struct hobe_kernel HOBE_KERNEL(3333) = {
     .abi = 1,
     .name = "3333",
     .hash = "bc8d6b6f3603f6fb",

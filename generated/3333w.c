@@ -709,8 +709,8 @@ static const char *const function_name[] = {
     "w",
 };
 
-extern const struct hobe_kernel hobe_kernel_3333w;
-const struct hobe_kernel hobe_kernel_3333w = {
+extern const struct hobe_kernel HOBE_KERNEL(3333w);
+const struct hobe_kernel HOBE_KERNEL(3333w) = {
     .abi = 1,
     .name = "3333w",
     .hash = "620237c0873c31e0",

@@ -715,8 +715,8 @@ static const char *const mode_name[M] = {
     "1", "y", "z", "yy", "yz", "zz",
 };
 
-extern const struct hobe_kernel hobe_kernel_3363;
-const struct hobe_kernel hobe_kernel_3363 = {
+extern const struct hobe_kernel HOBE_KERNEL(3363);
+const struct hobe_kernel HOBE_KERNEL(3363) = {
     .abi = 1,
     .name = "3363",
     .hash = "714e5a742c33643b",

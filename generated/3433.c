@@ -707,8 +707,8 @@ static const char *const mode_name[M] = {
     "1", "y", "z",
 };
 
-extern const struct hobe_kernel hobe_kernel_3433;
-const struct hobe_kernel hobe_kernel_3433 = {
+extern const struct hobe_kernel HOBE_KERNEL(3433);
+const struct hobe_kernel HOBE_KERNEL(3433) = {
     .abi = 1,
     .name = "3433",
     .hash = "559d0ff7ba10ab1b",

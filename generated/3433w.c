@@ -713,8 +713,8 @@ static const char *const function_name[] = {
     "w",
 };
 
-extern const struct hobe_kernel hobe_kernel_3433w;
-const struct hobe_kernel hobe_kernel_3433w = {
+extern const struct hobe_kernel HOBE_KERNEL(3433w);
+const struct hobe_kernel HOBE_KERNEL(3433w) = {
     .abi = 1,
     .name = "3433w",
     .hash = "0e36e54fc3b2f4b2",

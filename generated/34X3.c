@@ -736,8 +736,8 @@ static const char *const mode_name[M] = {
     "1", "y", "z", "yy", "yz", "zz", "yyy", "yyz", "yzz", "zzz",
 };
 
-extern const struct hobe_kernel hobe_kernel_34X3;
-const struct hobe_kernel hobe_kernel_34X3 = {
+extern const struct hobe_kernel HOBE_KERNEL(34X3);
+const struct hobe_kernel HOBE_KERNEL(34X3) = {
     .abi = 1,
     .name = "34X3",
     .hash = "6368931afa00d43e",

@@ -758,8 +758,8 @@ static const char *const mode_name[M] = {
     "zzzz",
 };
 
-extern const struct hobe_kernel hobe_kernel_B4;
-const struct hobe_kernel hobe_kernel_B4 = {
+extern const struct hobe_kernel HOBE_KERNEL(B4);
+const struct hobe_kernel HOBE_KERNEL(B4) = {
     .abi = 1,
     .name = "B4",
     .hash = "5ce9da8824e4fdfb",

@@ -713,8 +713,8 @@ static const char *const mode_name[M] = {
     "1", "y", "z",
 };
 
-extern const struct hobe_kernel hobe_kernel_BE24;
-const struct hobe_kernel hobe_kernel_BE24 = {
+extern const struct hobe_kernel HOBE_KERNEL(BE24);
+const struct hobe_kernel HOBE_KERNEL(BE24) = {
     .abi = 1,
     .name = "BE24",
     .hash = "20f030f25728ccec",

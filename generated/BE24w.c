@@ -719,8 +719,8 @@ static const char *const function_name[] = {
     "w",
 };
 
-extern const struct hobe_kernel hobe_kernel_BE24w;
-const struct hobe_kernel hobe_kernel_BE24w = {
+extern const struct hobe_kernel HOBE_KERNEL(BE24w);
+const struct hobe_kernel HOBE_KERNEL(BE24w) = {
     .abi = 1,
     .name = "BE24w",
     .hash = "5efddd2ccf22d570",

@@ -742,8 +742,8 @@ static const char *const function_name[] = {
     "w",
 };
 
-extern const struct hobe_kernel hobe_kernel_BE24w_II;
-const struct hobe_kernel hobe_kernel_BE24w_II = {
+extern const struct hobe_kernel HOBE_KERNEL(BE24w_II);
+const struct hobe_kernel HOBE_KERNEL(BE24w_II) = {
     .abi = 1,
     .name = "BE24w-II",
     .hash = "d14f32da2636a3a7",

@@ -724,8 +724,8 @@ static const char *const mode_name[M] = {
     "1", "y", "z", "yy", "yz", "zz",
 };
 
-extern const struct hobe_kernel hobe_kernel_BE42;
-const struct hobe_kernel hobe_kernel_BE42 = {
+extern const struct hobe_kernel HOBE_KERNEL(BE42);
+const struct hobe_kernel HOBE_KERNEL(BE42) = {
     .abi = 1,
     .name = "BE42",
     .hash = "20317f0f7a3b1ed9",

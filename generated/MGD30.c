@@ -717,8 +717,8 @@ static const char *const mode_name[M] = {
     "1", "y", "z",
 };
 
-extern const struct hobe_kernel hobe_kernel_MGD30;
-const struct hobe_kernel hobe_kernel_MGD30 = {
+extern const struct hobe_kernel HOBE_KERNEL(MGD30);
+const struct hobe_kernel HOBE_KERNEL(MGD30) = {
     .abi = 1,
     .name = "MGD30",
     .hash = "138cda699711a87d",

@@ -722,8 +722,8 @@ static const char *const function_name[] = {
     "w",
 };
 
-extern const struct hobe_kernel hobe_kernel_MGD30w;
-const struct hobe_kernel hobe_kernel_MGD30w = {
+extern const struct hobe_kernel HOBE_KERNEL(MGD30w);
+const struct hobe_kernel HOBE_KERNEL(MGD30w) = {
     .abi = 1,
     .name = "MGD30w",
     .hash = "ae65e7a57c261fa8",

@@ -751,8 +751,8 @@ static const char *const function_name[] = {
     "w",
 };
 
-extern const struct hobe_kernel hobe_kernel_MGD30w_II;
-const struct hobe_kernel hobe_kernel_MGD30w_II = {
+extern const struct hobe_kernel HOBE_KERNEL(MGD30w_II);
+const struct hobe_kernel HOBE_KERNEL(MGD30w_II) = {
     .abi = 1,
     .name = "MGD30w-II",
     .hash = "41f5c2c847bd68b4",

@@ -1,5 +1,7 @@
-/* The elements built in.  Written by the generator: do not edit. */
+/* The elements built in.  Written by `python -m generator`: do not edit. */
 #include "kernel.h"
+
+#include <stdlib.h>
 
 extern const struct hobe_kernel hobe_kernel_3333;
 extern const struct hobe_kernel hobe_kernel_3333w;
@@ -16,7 +18,7 @@ extern const struct hobe_kernel hobe_kernel_MGD30;
 extern const struct hobe_kernel hobe_kernel_MGD30w;
 extern const struct hobe_kernel hobe_kernel_MGD30w_II;
 
-const struct hobe_kernel *const hobe_kernels[] = {
+static const struct hobe_kernel *const portable[] = {
     &hobe_kernel_3333,
     &hobe_kernel_3333w,
     &hobe_kernel_3363,
@@ -33,3 +35,47 @@ const struct hobe_kernel *const hobe_kernels[] = {
     &hobe_kernel_MGD30w_II,
     NULL,
 };
+
+#ifdef HOBE_AVX2
+extern const struct hobe_kernel hobe_kernel_3333_avx2;
+extern const struct hobe_kernel hobe_kernel_3333w_avx2;
+extern const struct hobe_kernel hobe_kernel_3363_avx2;
+extern const struct hobe_kernel hobe_kernel_3433_avx2;
+extern const struct hobe_kernel hobe_kernel_3433w_avx2;
+extern const struct hobe_kernel hobe_kernel_34X3_avx2;
+extern const struct hobe_kernel hobe_kernel_B4_avx2;
+extern const struct hobe_kernel hobe_kernel_BE24_avx2;
+extern const struct hobe_kernel hobe_kernel_BE24w_avx2;
+extern const struct hobe_kernel hobe_kernel_BE24w_II_avx2;
+extern const struct hobe_kernel hobe_kernel_BE42_avx2;
+extern const struct hobe_kernel hobe_kernel_MGD30_avx2;
+extern const struct hobe_kernel hobe_kernel_MGD30w_avx2;
+extern const struct hobe_kernel hobe_kernel_MGD30w_II_avx2;
+
+static const struct hobe_kernel *const avx2[] = {
+    &hobe_kernel_3333_avx2,
+    &hobe_kernel_3333w_avx2,
+    &hobe_kernel_3363_avx2,
+    &hobe_kernel_3433_avx2,
+    &hobe_kernel_3433w_avx2,
+    &hobe_kernel_34X3_avx2,
+    &hobe_kernel_B4_avx2,
+    &hobe_kernel_BE24_avx2,
+    &hobe_kernel_BE24w_avx2,
+    &hobe_kernel_BE24w_II_avx2,
+    &hobe_kernel_BE42_avx2,
+    &hobe_kernel_MGD30_avx2,
+    &hobe_kernel_MGD30w_avx2,
+    &hobe_kernel_MGD30w_II_avx2,
+    NULL,
+};
+#endif
+
+const struct hobe_kernel *const *hobe_kernels(void)
+{
+#ifdef HOBE_AVX2
+    if (!getenv("HOBE_PORTABLE") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return avx2;
+#endif
+    return portable;
+}

@@ -24,16 +24,48 @@ def element_file(element, plan):
     return "\n".join(parts)
 
 
+REGISTRY = """\
+/* The elements built in.  Written by `python -m generator`: do not edit. */
+#include "kernel.h"
+
+#include <stdlib.h>
+
+{portable_externs}
+
+static const struct hobe_kernel *const portable[] = {{
+{portable_items}
+    NULL,
+}};
+
+#ifdef HOBE_AVX2
+{avx2_externs}
+
+static const struct hobe_kernel *const avx2[] = {{
+{avx2_items}
+    NULL,
+}};
+#endif
+
+const struct hobe_kernel *const *hobe_kernels(void)
+{{
+#ifdef HOBE_AVX2
+    if (!getenv("HOBE_PORTABLE") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return avx2;
+#endif
+    return portable;
+}}
+"""
+
+
 def registry_file(elements):
-    """The table of built-in kernels."""
-    names = [identifier(e.declaration.name) for e in elements]
-    lines = ["/* The elements built in.  Written by the generator: do not edit. */",
-             '#include "kernel.h"', ""]
-    lines += [f"extern const struct hobe_kernel hobe_kernel_{n};" for n in names]
-    lines += ["", "const struct hobe_kernel *const hobe_kernels[] = {"]
-    lines += [f"    &hobe_kernel_{n}," for n in names]
-    lines += ["    NULL,", "};", ""]
-    return "\n".join(lines)
+    """The tables of built-in kernels, one for each machine they are compiled for."""
+    symbols = ["hobe_kernel_" + identifier(e.declaration.name) for e in elements]
+    lists = {}
+    for table, suffix in (("portable", ""), ("avx2", "_avx2")):
+        lists[table + "_externs"] = "\n".join(
+            f"extern const struct hobe_kernel {s}{suffix};" for s in symbols)
+        lists[table + "_items"] = "\n".join(f"    &{s}{suffix}," for s in symbols)
+    return REGISTRY.format(**lists)
 
 
 def _head(element, counts):
@@ -360,8 +392,8 @@ def _descriptor(element, counts):
         _table("static const char *const mode_name[M]", [f'"{m}"' for m in d.modes]),
         *([_table("static const char *const function_name[]", functions)] if functions else []),
         "",
-        f"extern const struct hobe_kernel hobe_kernel_{identifier(d.name)};",
-        f"const struct hobe_kernel hobe_kernel_{identifier(d.name)} = {{",
+        f"extern const struct hobe_kernel HOBE_KERNEL({identifier(d.name)});",
+        f"const struct hobe_kernel HOBE_KERNEL({identifier(d.name)}) = {{",
     ]
     # the section stiffness and one column, for one of at least two parts of a batch
     scratch = (9 * size["S"] ** 2 + 3 * (size["NN"] + size["NS"]) + 1) // 2

@@ -33,12 +33,12 @@ const struct hobe_kernel *hobe_find_kernel(const char *name, struct hobe_error *
 {
     char known[700] = "";
     size_t used = 0;
-    for (int i = 0; hobe_kernels[i]; i++) {
-        if (strcmp(hobe_kernels[i]->name, name) == 0)
-            return hobe_kernels[i];
+    for (int i = 0; hobe_kernels()[i]; i++) {
+        if (strcmp(hobe_kernels()[i]->name, name) == 0)
+            return hobe_kernels()[i];
         if (used < sizeof known)
             used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "",
-                                     hobe_kernels[i]->name);
+                                     hobe_kernels()[i]->name);
     }
     hobe_fail(err, HOBE_UNKNOWN, NULL, "unknown element \"%s\"; known are %s", name, known);
     return NULL;

@@ -150,7 +150,8 @@ struct hobe_beam {
 struct hobe_clamp {
     const char *where, *beam;
     double at;        /* must be a node of the beam with a position */
-    int free_warping; /* 1: only r and the slopes x, y, z are held; further modes stay free */
+    int free_warping; /* 0: every vector of the node is held.  1: r and the slopes y, z are, so that
+                         the section stays in place but may warp, and stretch along the axis */
 };
 struct hobe_force {
     const char *where, *beam;

@@ -161,16 +161,20 @@ struct hobe_kernel {
                    const double *u, double *E);
 };
 
-/* The elements built in, in the order of the declarations' names; ends with NULL. */
-extern const struct hobe_kernel *const hobe_kernels[];
+/* The elements built in, in the order of the declarations' names; ends with NULL.  Each is compiled
+ * for more than one machine: the table is that of the best one this processor can run, or the
+ * portable one where the environment has HOBE_PORTABLE. */
+const struct hobe_kernel *const *hobe_kernels(void);
 
 /* ---- for generated code only ---------------------------------------------------------------- */
 
 /* A register's worth of lanes.  A kernel works through a batch in HOBE_PARTS passes, each on values
  * that fit the machine's registers; pass h of item i sits at index i * HOBE_PARTS + h. */
 #ifdef __AVX2__
+#define HOBE_KERNEL(name) hobe_kernel_##name##_avx2
 typedef double hobe_real __attribute__((vector_size(4 * sizeof(double)), may_alias));
 #else
+#define HOBE_KERNEL(name) hobe_kernel_##name
 typedef double hobe_real __attribute__((vector_size(2 * sizeof(double)), may_alias));
 #endif
 enum { HOBE_PARTS = sizeof(hobe_lanes) / sizeof(hobe_real) };

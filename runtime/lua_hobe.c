@@ -234,8 +234,8 @@ static void set_string(lua_State *L, const char *key, const char *value)
 static int elements(lua_State *L)
 {
     lua_newtable(L);
-    for (int i = 0; hobe_kernels[i]; i++) {
-        const struct hobe_kernel *kernel = hobe_kernels[i];
+    for (int i = 0; hobe_kernels()[i]; i++) {
+        const struct hobe_kernel *kernel = hobe_kernels()[i];
         lua_newtable(L);
         set_string(L, "name", kernel->name);
         set_string(L, "source", kernel->source);

@@ -309,12 +309,12 @@ static int list_elements(void)
         "name", "nodes", "dofs", "stations", "flops", "mechanics", "modes of the section"};
     struct hobe_text text = {0};
     size_t rows = 0;
-    while (hobe_kernels[rows])
+    while (hobe_kernels()[rows])
         rows++;
     struct hobe_cell *cell = hobe_alloc(rows * COLUMNS, sizeof *cell, NULL);
     struct hobe_text *modes = hobe_alloc(rows, sizeof *modes, NULL);
     for (size_t i = 0; cell && modes && i < rows; i++) {
-        const struct hobe_kernel *k = hobe_kernels[i];
+        const struct hobe_kernel *k = hobe_kernels()[i];
         struct hobe_cell *row = cell + i * COLUMNS;
         join_modes(&modes[i], k);
         row[NAME].text = k->name;

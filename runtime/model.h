@@ -84,6 +84,15 @@ static inline long model_vector(const struct hobe_model *model, const struct bea
     return model->alias[beam->first + (long)e * beam->step + v];
 }
 
+/* A new item of the given size at the end of a list; NULL with err when there is no room. */
+void *list_append(struct list *list, size_t size, struct hobe_error *err);
+
+/* Whether one element law serves both beams: kernel, section, material and integration alike. */
+int model_same_law(const struct hobe_beam *a, const struct hobe_beam *b);
+
+/* Keeps a copy of a sentence for hobe_model_note. */
+enum hobe_status model_add_note(hobe_model *model, const char *text, struct hobe_error *err);
+
 /* The beam called name; NULL with err (HOBE_UNKNOWN, where) listing the known ones. */
 const struct beam *model_find_beam(const struct hobe_model *model, const char *name,
                                    const char *where, struct hobe_error *err);

@@ -41,7 +41,8 @@ struct solver {
     double load_norm; /* |D Q| at the reference */
     struct hobe_solution_info info;
     struct hobe_iteration now;
-    long singular; /* column of a vanishing pivot */
+    long singular;      /* column of a vanishing pivot */
+    const char *reason; /* why the last attempt failed */
 };
 
 static void log_line(struct solver *s, const char *note)
@@ -219,6 +220,7 @@ static enum outcome attempt(struct solver *s, double factor, struct hobe_error *
                 return CONVERGED;
             log_line(s, "turned inside out");
         }
+        s->reason = s->now.note;
         memcpy(s->u, s->start, size);
     }
     return FAILED;
@@ -258,12 +260,12 @@ static enum hobe_status give_up(const struct solver *s, double reached, double t
         return name_free(s, err);
     return hobe_fail(
         err, HOBE_NOT_CONVERGED, NULL,
-        "no equilibrium found beyond %.4g of the load (tried %.4g; last residual %.2g, "
+        "no equilibrium found beyond %.4g of the load (at %.4g: %s, residual %.2g; "
         "%d steps, %d iterations, %d cut-backs); try a smaller load, a finer mesh, more "
         "steps, or a smaller smallest_step (now %g): past a limit point no static "
         "solution may exist",
-        reached, tried, s->now.residual, s->info.steps, s->info.iterations, s->info.cutbacks,
-        s->options.smallest_step);
+        reached, tried, s->reason, s->now.residual, s->info.steps, s->info.iterations,
+        s->info.cutbacks, s->options.smallest_step);
 }
 
 static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)

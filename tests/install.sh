@@ -20,7 +20,7 @@ cat >tiny.c <<'END'
 
 int main(void)
 {
-    printf("%s %s\n", hobe_kernels[0]->name, hobe_status_words(HOBE_OK));
+    printf("%s %s\n", hobe_kernels()[0]->name, hobe_status_words(HOBE_OK));
     return 0;
 }
 END

@@ -35,8 +35,8 @@ static void check_kernel(const struct hobe_kernel *kernel)
 
 static int built_in(const char *name)
 {
-    for (int i = 0; hobe_kernels[i]; i++)
-        if (!strcmp(hobe_kernels[i]->name, name))
+    for (int i = 0; hobe_kernels()[i]; i++)
+        if (!strcmp(hobe_kernels()[i]->name, name))
             return 1;
     return 0;
 }
@@ -63,8 +63,8 @@ int main(int argc, char **argv)
         if (asked(argc, argv, element.name))
             check_evaluator(&element);
     }
-    for (int i = 0; hobe_kernels[i]; i++)
-        if (asked(argc, argv, hobe_kernels[i]->name))
-            check_kernel(hobe_kernels[i]);
+    for (int i = 0; hobe_kernels()[i]; i++)
+        if (asked(argc, argv, hobe_kernels()[i]->name))
+            check_kernel(hobe_kernels()[i]);
     return check_report() ? EXIT_FAILURE : EXIT_SUCCESS;
 }

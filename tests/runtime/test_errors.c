@@ -57,9 +57,9 @@ static void bad_kernels(void)
     struct hobe_error err = fresh();
     const struct hobe_kernel *kernel = hobe_find_kernel("MGD31", &err);
     refused(kernel ? HOBE_OK : err.status, HOBE_UNKNOWN, &err, NULL, "MGD31");
-    for (int i = 0; hobe_kernels[i]; i++)
-        check_that(strstr(err.message, hobe_kernels[i]->name) != NULL, "%s is listed: %s",
-                   hobe_kernels[i]->name, err.message);
+    for (int i = 0; hobe_kernels()[i]; i++)
+        check_that(strstr(err.message, hobe_kernels()[i]->name) != NULL, "%s is listed: %s",
+                   hobe_kernels()[i]->name, err.message);
     check_that(hobe_find_kernel("", NULL) == NULL, "no element has an empty name");
 }
 

@@ -186,9 +186,9 @@ static void every_combination(void)
     for (int i = 0; i < 4; i++) {
         hobe_section *section = rectangle(sizes[i][0], sizes[i][1]);
         struct subject s = {.section = section, .p = properties_of(section)};
-        for (int k = 0; hobe_kernels[k]; k++)
+        for (int k = 0; hobe_kernels()[k]; k++)
             for (int m = HOBE_MECHANICS_AVERAGE; m <= HOBE_MECHANICS_FULL; m++) {
-                s.kernel = hobe_kernels[k];
+                s.kernel = hobe_kernels()[k];
                 s.mechanics = (enum hobe_mechanics)m;
                 try_element(&s, 2);
                 if (i == 0 && m == HOBE_MECHANICS_AXIS)

@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which vectors a model has, which of them are held, and the numbers of the others. */
+#include "numbering.h"
+
+#include "constraint.h"
+#include "element.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Beams in the order added, then one block of multipliers for every join: more than enough. */
+static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *err)
+{
+    model->vectors = 0;
+    for (size_t i = 0; i < model->beams.count; i++) {
+        struct beam *beam = model_beam(model, i);
+        beam->first = model->vectors;
+        model->vectors += (long)beam->step * (beam->spec.elements - 1) + beam->kernel->vectors;
+    }
+    model->beam_vectors = model->vectors;
+    const size_t n = (size_t)model->vectors + model->joins.count;
+    model->alias = hobe_alloc(n, sizeof *model->alias, err);
+    model->unknown = hobe_alloc(n, sizeof *model->unknown, err);
+    model->held = hobe_alloc(n, sizeof *model->held, err);
+    model->dead = hobe_alloc(3 * n, sizeof *model->dead, err);
+    if (!model->alias || !model->unknown || !model->held || !model->dead)
+        return HOBE_NO_MEMORY;
+    for (size_t v = 0; v < n; v++)
+        model->alias[v] = (long)v;
+    return HOBE_OK;
+}
+
+/* Vectors that a section does not carry are held at zero, and named. */
+static enum hobe_status hold_dropped(hobe_model *model, struct hobe_error *err)
+{
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const struct hobe_kernel *k = beam->kernel;
+        const unsigned char *dropped = hobe_element_dropped(beam->element);
+        for (int m = 0; m < k->modes; m++) {
+            char text[200];
+            if (!dropped[m])
+                continue;
+            snprintf(
+                text, sizeof text,
+                "beam \"%s\": section mode %s vanishes or depends on earlier modes and is left "
+                "out",
+                beam->name, k->mode[m]);
+            if (model_add_note(model, text, err))
+                return HOBE_NO_MEMORY;
+            for (int e = 0; e < beam->spec.elements; e++)
+                for (int v = 0; v < k->vectors; v++)
+                    if (k->vector[v].mode == m)
+                        model->held[model_vector(model, beam, e, v)] = 1;
+        }
+    }
+    return HOBE_OK;
+}
+
+static enum hobe_status note_spurious(hobe_model *model, struct hobe_error *err)
+{
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        struct hobe_rest rest;
+        char text[240];
+        hobe_element_rest(beam->element, &rest);
+        if (rest.zero <= 6)
+            continue;
+        snprintf(text, sizeof text,
+                 "beam \"%s\": with integration = \"paper\" element %s has %d zero-energy modes, "
+                 "%d of them spurious; supports may not hold them",
+                 beam->name, beam->kernel->name, rest.zero, rest.zero - 6);
+        if (model_add_note(model, text, err))
+            return HOBE_NO_MEMORY;
+    }
+    return HOBE_OK;
+}
+
+int node_at(const struct beam *beam, double at, int *element)
+{
+    const struct hobe_kernel *k = beam->kernel;
+    const struct place place = model_place(beam, at);
+    *element = place.element;
+    for (int n = 0; n < k->nodes; n++)
+        if (fabs(k->node[n] - place.xi) < 1e-9 && hobe_kernel_vector(k, n, 0, 0) >= 0)
+            return n;
+    return -1;
+}
+
+static enum hobe_status hold_clamps(hobe_model *model, struct hobe_error *err)
+{
+    for (size_t i = 0; i < model->clamps.count; i++) {
+        const struct hobe_clamp *c = (const struct hobe_clamp *)model->clamps.item + i;
+        const struct beam *beam = model_find_beam(model, c->beam, c->where, err);
+        int e;
+        if (!beam)
+            return HOBE_UNKNOWN;
+        const int node = node_at(beam, c->at, &e);
+        if (node < 0)
+            return hobe_fail(
+                err, HOBE_BAD_INPUT, c->where,
+                "a clamp must sit on a node: beam \"%s\" has %d elements of type %s and "
+                "none of their nodes with a position at %g",
+                beam->name, beam->spec.elements, beam->kernel->name, c->at);
+        for (int v = 0; v < beam->kernel->vectors; v++) {
+            const struct hobe_vector *is = beam->kernel->vector + v;
+            if (is->node == node && (!c->free_warping || (is->mode <= 2 && !is->slope)))
+                model->held[model_vector(model, beam, e, v)] = 1;
+        }
+    }
+    return HOBE_OK;
+}
+/* A corner between held sections has nothing to say: its multipliers would be undetermined. */
+static void hold_idle_corners(hobe_model *model)
+{
+    for (size_t i = 0; i < model->corners.count; i++) {
+        const long *v = model_corner(model, i)->vector;
+        model->held[v[4]] =
+            model->held[v[0]] && model->held[v[1]] && model->held[v[2]] && model->held[v[3]];
+    }
+}
+
+/* A beam is held when its group of joined beams has a clamp: the joins and clamps of this room stop
+ * all six rigid motions.  Beams are grouped by the vectors they share. */
+static enum hobe_status check_held(const hobe_model *model, struct hobe_error *err)
+{
+    const size_t n = model->beams.count;
+    size_t *group = hobe_alloc(n, sizeof *group, err);
+    enum hobe_status status = group ? HOBE_OK : HOBE_NO_MEMORY;
+    for (size_t i = 0; !status && i < n; i++)
+        group[i] = i;
+    for (size_t pass = 0; !status && pass < n; pass++)
+        for (size_t j = 0; j < model->joins.count; j++) {
+            const struct hobe_join *join = (const struct hobe_join *)model->joins.item + j;
+            size_t g[2] = {0, 0};
+            for (size_t i = 0; i < n; i++)
+                for (int s = 0; s < 2; s++)
+                    if (strcmp(model_beam(model, i)->name, join->beam[s]) == 0)
+                        g[s] = i;
+            const size_t lowest = group[g[0]] < group[g[1]] ? group[g[0]] : group[g[1]];
+            group[g[0]] = group[g[1]] = lowest;
+        }
+    for (size_t i = 0; !status && i < n; i++) {
+        int clamped = 0;
+        for (size_t c = 0; c < model->clamps.count; c++)
+            for (size_t k = 0; k < n; k++)
+                clamped |= group[k] == group[i] &&
+                           strcmp(((const struct hobe_clamp *)model->clamps.item)[c].beam,
+                                  model_beam(model, k)->name) == 0;
+        if (!clamped)
+            status = hobe_fail(err, HOBE_UNCONSTRAINED, model_beam(model, i)->spec.where,
+                               "beam \"%s\" is free to move: translations along x, y, z and "
+                               "rotations about x, y, z; hold it by a clamp or join it to a held "
+                               "beam",
+                               model_beam(model, i)->name);
+    }
+    hobe_free(group);
+    return status;
+}
+
+static void number_unknowns(hobe_model *model)
+{
+    model->unknowns = 0;
+    for (long v = 0; v < model->vectors; v++)
+        model->unknown[v] = model->alias[v] == v && !model->held[v] ? model->unknowns++ : -1;
+}
+
+enum hobe_status number_model(hobe_model *model, struct hobe_error *err)
+{
+    enum hobe_status status = allocate_vectors(model, err);
+    if (!status)
+        status = join_beams(model, err);
+    if (!status)
+        status = hold_dropped(model, err);
+    if (!status)
+        status = hold_clamps(model, err);
+    if (!status)
+        status = check_held(model, err);
+    if (!status)
+        status = note_spurious(model, err);
+    if (status)
+        return status;
+    hold_idle_corners(model);
+    number_unknowns(model);
+    return HOBE_OK;
+}

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Vectors, joins, supports and unknowns of a model. */
+#ifndef HOBE_NUMBERING_H
+#define HOBE_NUMBERING_H
+
+#include "model.h"
+
+/* Lays out the vectors of all beams, joins and holds them, checks that no beam is free to move, and
+ * numbers the unknowns. */
+enum hobe_status number_model(hobe_model *model, struct hobe_error *err);
+
+/* Makes one of the vectors that joined beams share, and adds corners (join.c). */
+enum hobe_status join_beams(hobe_model *model, struct hobe_error *err);
+
+/* The node of a beam at `at`, as element and node of it; -1 where there is none with a position. */
+int node_at(const struct beam *beam, double at, int *element);
+
+#endif
