@@ -5,6 +5,7 @@
 -- settings and integrated exactly (mechanics = "axis").  Twist is that of r_z.
 -- The pictures show |u3|, |u2| and the twist of all elements, integrated exactly with the default
 -- mechanics; the circles are the reference.
+-- Long: not run under the sanitizers, where it takes minutes.
 local hobe = require "hobe"
 
 local loads, angles = { 4.448, 8.896, 13.345 }, { 0, 15, 30, 45, 60, 75, 90 }   -- N, deg

@@ -6,6 +6,7 @@
 -- with full integration and the converged series.  All with mechanics = "axis", the paper's law;
 -- 34X3-unsplit is the published "34X3c [28]", unsplit continuum mechanics ("full").
 -- 3333s, the structural-mechanics element, is not built in yet.
+-- Long: not run under the sanitizers, where it takes minutes.
 local hobe = require "hobe"
 
 local meshes = { 1, 4, 8, 16, 32, 48 }

@@ -236,7 +236,6 @@ static void stage_report(lua_State *L, const struct hobe_value *value, size_t co
 
 static void write_text(lua_State *L, const struct hobe_text *text, FILE *to)
 {
-    hobe_lua_check_text(L, text);
     if (text->size > 0)
         fwrite(text->at, 1, text->size, to);
     if (fflush(to) || ferror(to))
@@ -249,10 +248,6 @@ int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to)
     struct hobe_text *text = &context->tables;
     size_t count;
     const struct hobe_value *value = push_values(L, &count);
-    if (context->folder) {
-        stage_report(L, value, count);
-        hobe_lua_write_files(L);
-    }
     if (format != HOBE_LUA_TABLE)
         hobe_text_free(text);
     if (format == HOBE_LUA_JSON)
@@ -263,6 +258,11 @@ int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to)
         hobe_report_table(text, value, count, !context->overridden);
     if (format == HOBE_LUA_TABLE)
         add_notes(L, text);
+    hobe_lua_check_text(L, text); /* before a file is written: all or nothing */
+    if (context->folder) {
+        stage_report(L, value, count);
+        hobe_lua_write_files(L);
+    }
     write_text(L, text, to);
     return !context->overridden && push_failure(L, value, count);
 }

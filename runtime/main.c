@@ -349,9 +349,20 @@ static int command_elements(int argc, char **argv)
 
 /* ---- main ----------------------------------------------------------------------------------- */
 
+/* For tests of sanitized builds: HOBE_FAIL_ALLOCATION=n makes the n-th allocation fail. */
+static void arm_failure(void)
+{
+#ifdef HOBE_FAULTS
+    const char *n = getenv("HOBE_FAIL_ALLOCATION");
+    if (n)
+        hobe_fail_allocation(strtol(n, NULL, 10));
+#endif
+}
+
 int main(int argc, char **argv)
 {
     const char *command = argc > 1 ? argv[1] : "";
+    arm_failure();
     if (!strcmp(command, "run"))
         return command_run(argc, argv);
     if (!strcmp(command, "elements"))
