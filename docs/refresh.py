@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Renews the numbers and pictures of the documentation: python3 docs/refresh.py
 
-A block in README.md between `<!-- $ COMMAND -->` and `<!-- end -->` holds what COMMAND prints; this
+A block in a page between `<!-- $ COMMAND -->` and `<!-- end -->` holds what COMMAND prints; this
 script runs the commands in the top folder and puts their output there.  Pictures are drawn by the
 cases.  With --check nothing is written and the status tells whether a command failed.
 """
@@ -15,6 +15,7 @@ import tempfile
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"(<!-- \$ (.*?) -->\n```\w*\n).*?(```\n<!-- end -->)", re.S)
+PAGES = ("README.md", "elements/README.md")
 PICTURES = {"twist.png": "princeton_twist.png"}  # of cases/princeton_angles.lua
 
 
@@ -26,15 +27,18 @@ def run(command):
 
 def main():
     check = "--check" in sys.argv[1:]
-    readme = TOP / "README.md"
-    text = BLOCK.sub(lambda m: m[1] + run(m[2]) + m[3], readme.read_text(encoding="utf-8"))
+    pages = {}
+    for name in PAGES:
+        text = (TOP / name).read_text(encoding="utf-8")
+        pages[name] = BLOCK.sub(lambda m: m[1] + run(m[2]) + m[3], text)
     with tempfile.TemporaryDirectory() as folder:
         run(f"./hobe run cases/princeton_angles.lua --out {folder}")
         if check:
             return
         for source, target in PICTURES.items():
             shutil.copyfile(pathlib.Path(folder) / source, TOP / "docs" / target)
-    readme.write_text(text, encoding="utf-8")
+    for name, text in pages.items():
+        (TOP / name).write_text(text, encoding="utf-8")
 
 
 main()
