@@ -156,11 +156,13 @@ struct hobe_clamp {
 struct hobe_force {
     const char *where, *beam;
     double at;
-    double value[3]; /* N, global axes; follower: components in the section's initial axes... */
-    int follower;    /* ...i.e. the given global vector turns with the section */
+    double value[3]; /* N, global axes */
+    int follower;    /* 1: the force turns with the section from that initial direction */
 };
-struct hobe_moment { /* conservative; potential sum_a M_a sum_s w_as angle of slope s about axis a
-                      */
+/* Conservative: with M = m_x e_x + m_y e_y + m_z e_z on the beam's reference axes, its potential is
+ * -m_x (phi_x(r_y) + phi_x(r_z))/2 - m_y phi_y(r_z) - m_z phi_z(r_y), phi_a(s) the angle of the
+ * section's slope s about e_a. */
+struct hobe_moment {
     const char *where, *beam;
     double at;
     double value[3]; /* N m about the global axes */

@@ -124,8 +124,8 @@ static const struct hobe_lua_key clamp_keys[] = {
     PLACE(struct hobe_clamp),
     KEY_AS("warping", struct hobe_clamp, free_warping, KEY_CHOICE, .choices = "fixed|free",
            .word = "fixed",
-           .doc = "whether the section may warp there: fixed holds every vector "
-                  "of the node, free only its position and slopes"),
+           .doc = "fixed holds every vector of the node; free only its position and the section's "
+                  "slopes y and z, so that the section may warp and the axis stretch there"),
     {0}};
 
 static const struct hobe_lua_schema clamp_schema = {"clamp", clamp_keys};
@@ -233,8 +233,10 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
     {"force", force, "hobe.force{\"beam\", at =, value = {x, y, z}}",
      "A point force on the axis of a beam, dead or following the section.", &force_schema, NULL},
     {"moment", moment, "hobe.moment{\"beam\", at =, value = {x, y, z}}",
-     "A moment, conservative: its potential is the sum over the global axes a of M_a times the "
-     "angles of the section's slopes about a, each slope with its weight.",
+     "A moment, conservative.  Resolved on the beam's axes in the reference, (m_x, m_y, m_z), its "
+     "potential is -m_x (a + b)/2 - m_y c - m_z d: a and b the angles of the section's slopes y "
+     "and "
+     "z about x, c that of slope z about y, d that of slope y about z.",
      &moment_schema, NULL},
     {"gravity", gravity, "hobe.gravity{0, 0, -9.81}",
      "Gravity on every beam of the scene; several add up.", &gravity_schema, NULL},

@@ -86,24 +86,6 @@ static enum hobe_status add_item(hobe_model *model, const struct hobe_lua_item *
     return HOBE_OK;
 }
 
-/* Gravity moves nothing without mass: a density that was forgotten should not pass for zero.
- * items: index of the list. */
-static void check_gravity(lua_State *L, int items, const struct hobe_lua_item *gravity)
-{
-    for (lua_Integer i = 1; lua_rawgeti(L, items, i) != LUA_TNIL; i++) {
-        const struct hobe_lua_item *item = lua_touserdata(L, -1);
-        struct hobe_error err;
-        if (item->kind == ITEM_BEAM && item->as.beam.material.rho == 0) {
-            hobe_fail(&err, HOBE_BAD_INPUT, gravity->as.gravity.where,
-                      "gravity: the material of beam \"%s\" needs a density rho > 0",
-                      item->as.beam.name);
-            hobe_lua_raise(L, &err);
-        }
-        lua_pop(L, 1);
-    }
-    lua_pop(L, 1);
-}
-
 /* Says with the results which physics a beam has, since it may be the element's choice. */
 static void note_beam(lua_State *L, const struct hobe_beam *beam)
 {
@@ -127,8 +109,6 @@ static void add_items(lua_State *L, int items, hobe_model *model)
         hobe_lua_resume_clock();
         if (status)
             hobe_lua_raise(L, &err);
-        if (item->kind == ITEM_GRAVITY)
-            check_gravity(L, items, item);
         if (item->kind == ITEM_BEAM)
             note_beam(L, &item->as.beam);
         beams += item->kind == ITEM_BEAM;

@@ -1,4 +1,4 @@
--- expect: bad/gravity_without_density\.lua:9: gravity: the material of beam "blade" needs a density rho > 0$
+-- expect: bad/gravity_without_density\.lua:9: gravity needs a density: material.rho of beam "blade" is 0, must be > 0 \(kg/m\^3\)$
 local hobe = require "hobe"
 local section = hobe.rectangle{ width = 0.01, height = 0.02 }
 local steel = { E = 210e9, nu = 0.3 }
