@@ -1,19 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "constraint.h"
 
-#include <string.h>
+#include "vector3.h"
 
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    for (int i = 0; i < 3; i++)
-        c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
+#include <string.h>
 
 /* c += factor a x b */
 static void add_cross(double factor, const double a[3], const double b[3], double c[3])
 {
     double product[3];
-    cross(a, b, product);
+    cross3(a, b, product);
     for (int i = 0; i < 3; i++)
         c[i] += factor * product[i];
 }
@@ -31,7 +27,7 @@ static void add_spin(double factor, const double a[3], double M[3][3])
 /* P += factor [a]x [b]x = factor (b a' - (a.b) 1) */
 static void add_spins(double factor, const double a[3], const double b[3], double P[3][3])
 {
-    const double along = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const double along = dot3(a, b);
     for (int i = 0; i < 3; i++) {
         P[i][i] -= factor * along;
         for (int j = 0; j < 3; j++)
@@ -42,11 +38,8 @@ static void add_spins(double factor, const double a[3], const double b[3], doubl
 void corner_orient(struct corner *corner)
 {
     for (int s = 0; s < 2; s++)
-        for (int t = 0; t < 3; t++) {
-            corner->C[s][t] = 0;
-            for (int a = 0; a < 3; a++)
-                corner->C[s][t] += corner->beam[1]->frame[1 + s][a] * corner->beam[0]->frame[t][a];
-        }
+        for (int t = 0; t < 3; t++)
+            corner->C[s][t] = dot3(corner->beam[1]->frame[1 + s], corner->beam[0]->frame[t]);
 }
 
 /* The vectors of a corner in state u.  Phi is a difference of nearly equal directions: it is formed
@@ -79,7 +72,7 @@ static void read_state(const struct corner *c, const double *u, struct state *s)
             s->p[i][a] = b0[a] + dp[a];
             s->b[i][a] = b0[a] + db[a];
         }
-        cross(s->b[i], s->lambda, s->w[i]);
+        cross3(s->b[i], s->lambda, s->w[i]);
         add_cross(1, b0, db, s->phi);
         add_cross(1, dp, s->b[i], s->phi);
     }

@@ -2,8 +2,7 @@
 #include "load.h"
 
 #include "element.h"
-
-#include <math.h>
+#include "vector3.h"
 
 void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
                  const double block[3][3], double *Ax)
@@ -77,19 +76,6 @@ static void add_stiffness(const struct hobe_model *model, const struct station *
         }
 }
 
-/* ---- algebra of three ------------------------------------------------------------------------ */
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    for (int i = 0; i < 3; i++)
-        c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 /* ---- moments --------------------------------------------------------------------------------- */
 
 /* Force and stiffness of the potential -m phi, phi the angle of the slope s about the unit axis e:
@@ -97,11 +83,11 @@ static void cross(const double a[3], const double b[3], double c[3])
 static void angle_force(const double e[3], const double s[3], double m, double F[3], double H[3][3])
 {
     double p[3], t[3];
-    const double along = dot(s, e);
+    const double along = dot3(s, e);
     for (int a = 0; a < 3; a++)
         p[a] = s[a] - along * e[a];
-    cross(e, p, t);
-    const double p2 = dot(p, p);
+    cross3(e, p, t);
+    const double p2 = dot3(p, p);
     for (int a = 0; a < 3; a++) {
         F[a] += m * t[a] / p2;
         for (int c = 0; c < 3; c++) {
@@ -127,7 +113,7 @@ static void subtract_moment(const struct hobe_model *model, const struct hobe_mo
     const double(*frame)[3] = (const double(*)[3])s.place.beam->frame;
     double m[3];
     for (int b = 0; b < 3; b++)
-        m[b] = dot(frame[b], moment->value);
+        m[b] = dot3(frame[b], moment->value);
     for (int slope = 0; slope < 2; slope++) {
         double F[3] = {0}, H[3][3] = {{0}};
         angle_force(frame[0], s.slope[slope], m[0] / 2, F, H);
@@ -144,36 +130,36 @@ static void subtract_moment(const struct hobe_model *model, const struct hobe_mo
 static void section_axes(const double slope[2][3], double t[3][3], double *n_length)
 {
     double n[3];
-    cross(slope[0], slope[1], n);
-    *n_length = sqrt(dot(n, n));
-    const double z_length = sqrt(dot(slope[1], slope[1]));
+    cross3(slope[0], slope[1], n);
+    *n_length = length3(n);
+    const double z_length = length3(slope[1]);
     for (int a = 0; a < 3; a++) {
         t[0][a] = n[a] / *n_length;
         t[2][a] = slope[1][a] / z_length;
     }
-    cross(t[2], t[0], t[1]);
+    cross3(t[2], t[0], t[1]);
 }
 
 /* Change of F = sum_b F_b t_b with one slope (0: r_y, 1: r_z): G[a][c] = dF_a/d slope_c. */
 static void follower_derivative(const double slope[2][3], const double t[3][3], double n_length,
                                 const double local[3], int of, double G[3][3])
 {
-    const double z_length = sqrt(dot(slope[1], slope[1]));
+    const double z_length = length3(slope[1]);
     for (int c = 0; c < 3; c++) {
         double e[3] = {0}, dn[3], dx[3], dz[3] = {0}, part[3], dy[3];
         e[c] = 1;
         if (of == 0)
-            cross(e, slope[1], dn);
+            cross3(e, slope[1], dn);
         else
-            cross(slope[0], e, dn);
-        const double along = dot(dn, t[0]);
+            cross3(slope[0], e, dn);
+        const double along = dot3(dn, t[0]);
         for (int a = 0; a < 3; a++) {
             dx[a] = (dn[a] - along * t[0][a]) / n_length;
             if (of == 1)
                 dz[a] = (e[a] - t[2][c] * t[2][a]) / z_length;
         }
-        cross(dz, t[0], dy);
-        cross(t[2], dx, part);
+        cross3(dz, t[0], dy);
+        cross3(t[2], dx, part);
         for (int a = 0; a < 3; a++)
             G[a][c] = local[0] * dx[a] + local[1] * (dy[a] + part[a]) + local[2] * dz[a];
     }
@@ -187,7 +173,7 @@ static void subtract_follower(const struct hobe_model *model, const struct hobe_
     find_station(model, force->beam, force->at, u, &s);
     section_axes((const double(*)[3])s.slope, t, &n_length);
     for (int b = 0; b < 3; b++) {
-        local[b] = dot(s.place.beam->frame[b], force->value);
+        local[b] = dot3(s.place.beam->frame[b], force->value);
         for (int a = 0; a < 3; a++)
             F[a] += local[b] * t[b][a];
     }

@@ -7,8 +7,8 @@
 #include "load.h"
 #include "numbering.h"
 #include "pattern.h"
+#include "vector3.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -116,12 +116,12 @@ static enum hobe_status check_at(double at, const char *where, struct hobe_error
 static enum hobe_status set_frame(struct beam *beam, struct hobe_error *err)
 {
     const struct hobe_beam *s = &beam->spec;
-    double(*e)[3] = beam->frame, d[3], up[3], along = 0, norm = 0;
+    double(*e)[3] = beam->frame, d[3], up[3];
     for (int a = 0; a < 3; a++) {
         d[a] = s->to[a] - s->from[a];
         up[a] = s->up[a];
     }
-    beam->length = hypot(hypot(d[0], d[1]), d[2]);
+    beam->length = length3(d);
     if (!isfinite(beam->length))
         return hobe_fail(err, HOBE_BAD_INPUT, s->where,
                          "beam \"%s\" is longer than a number can say", beam->name);
@@ -135,22 +135,18 @@ static enum hobe_status set_frame(struct beam *beam, struct hobe_error *err)
         up[0] = vertical ? -copysign(1, e[0][2]) : 0;
         up[2] = vertical ? 0 : 1;
     }
+    const double along = dot3(up, e[0]);
     for (int a = 0; a < 3; a++)
-        along += up[a] * e[0][a];
-    const double length = hypot(hypot(up[0], up[1]), up[2]);
-    for (int a = 0; a < 3; a++) {
         e[2][a] = up[a] - along * e[0][a];
-        norm += e[2][a] * e[2][a];
-    }
-    if (!(sqrt(norm) > 1e-6 * length))
+    const double across = length3(e[2]);
+    if (!(across > 1e-6 * length3(up)))
         return hobe_fail(
             err, HOBE_BAD_INPUT, s->where,
             "up = {%g, %g, %g} points along the beam \"%s\"; give a direction across it", s->up[0],
             s->up[1], s->up[2], beam->name);
     for (int a = 0; a < 3; a++)
-        e[2][a] /= sqrt(norm);
-    for (int a = 0; a < 3; a++) /* e_y = e_z x e_x */
-        e[1][a] = e[2][(a + 1) % 3] * e[0][(a + 2) % 3] - e[2][(a + 2) % 3] * e[0][(a + 1) % 3];
+        e[2][a] /= across;
+    cross3(e[2], e[0], e[1]);
     return HOBE_OK;
 }
 

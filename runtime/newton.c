@@ -70,29 +70,16 @@ static void add_correction(const hobe_model *model, const double *x, double fact
                 u[3 * v + a] += factor * x[3 * model->unknown[v] + a];
 }
 
-/* |D r| over the unknowns; NaN where the state is. */
-static double scaled_norm(const struct solver *s, const double *field)
+/* |D^p field| over the unknowns, p = 1 for forces, -1 for displacements; NaN where the field is. */
+static double scaled_norm(const struct solver *s, const double *field, int p)
 {
     const hobe_model *model = s->model;
     double sum = 0;
     for (long v = 0; v < model->vectors; v++)
         if (model->unknown[v] >= 0)
             for (int a = 0; a < 3; a++) {
-                const double x = s->scale[3 * model->unknown[v] + a] * field[3 * v + a];
-                sum += x * x;
-            }
-    return sqrt(sum);
-}
-
-/* |D^-1 u| = |D diag(K_0) u| over the unknowns. */
-static double stiff_norm(const struct solver *s)
-{
-    const hobe_model *model = s->model;
-    double sum = 0;
-    for (long v = 0; v < model->vectors; v++)
-        if (model->unknown[v] >= 0)
-            for (int a = 0; a < 3; a++) {
-                const double x = s->u[3 * v + a] / s->scale[3 * model->unknown[v] + a];
+                const double D = s->scale[3 * model->unknown[v] + a];
+                const double x = p > 0 ? D * field[3 * v + a] : field[3 * v + a] / D;
                 sum += x * x;
             }
     return sqrt(sum);
@@ -167,7 +154,7 @@ static enum outcome judge(struct solver *s, double norm, double last_norm)
         log_line(s, "diverged");
         return FAILED;
     }
-    if (norm > 0.5 * last_norm && norm <= ROUND_OFF * stiff_norm(s)) {
+    if (norm > 0.5 * last_norm && norm <= ROUND_OFF * scaled_norm(s, s->u, -1)) {
         log_line(s, "converged to round-off");
         return CONVERGED;
     }
@@ -184,7 +171,7 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
     s->now.line = s->now.energy = 1;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
         evaluate(s, factor, 1);
-        const double norm = scaled_norm(s, s->r);
+        const double norm = scaled_norm(s, s->r, 1);
         enum outcome outcome = judge(s, norm, last_norm);
         if (outcome != GOING_ON)
             return outcome;
@@ -315,7 +302,7 @@ static void set_scale(struct solver *s)
             else if (multipliers && diagonal == 0)
                 s->scale[j] = largest > 0 ? 1 / largest : 1;
         }
-    s->load_norm = scaled_norm(s, s->r); /* F = 0 at the reference */
+    s->load_norm = scaled_norm(s, s->r, 1); /* F = 0 at the reference */
 }
 
 static enum hobe_status allocate(struct solver *s, struct hobe_error *err)

@@ -4,8 +4,8 @@
 
 #include "element.h"
 #include "section.h"
+#include "vector3.h"
 
-#include <math.h>
 #include <string.h>
 
 /* One element's vectors around a point. */
@@ -105,11 +105,11 @@ double solution_smallest_volume(const hobe_model *model, const double *u)
 }
 
 /* The rotation vector of the rotation R. */
-static void rotation_vector(double R[3][3], double w[3])
+static void rotation_vector(const double R[3][3], double w[3])
 {
     const double axis[3] = {R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]};
-    const double s = hypot(hypot(axis[0], axis[1]), axis[2]) / 2; /* sin */
-    const double c = (R[0][0] + R[1][1] + R[2][2] - 1) / 2;       /* cos */
+    const double s = length3(axis) / 2;                     /* sin */
+    const double c = (R[0][0] + R[1][1] + R[2][2] - 1) / 2; /* cos */
     const double angle = atan2(s, c);
     if (s > 1e-8 || c > 0) {
         const double factor = s > 1e-8 ? angle / (2 * s) : 0.5;
@@ -128,30 +128,26 @@ static void rotation_vector(double R[3][3], double w[3])
 
 /* The section's rotation: its axes t_x along r_y x r_z, t_y and t_z as near to r_y and r_z as an
  * orthonormal pair can be (both turned by the same angle in their plane). */
-static void section_rotation(double F[3][3], const double frame[3][3], double w[3])
+static void section_rotation(const double F[3][3], const double frame[3][3], double w[3])
 {
-    double t[3][3], n[3], e[3], R[3][3];
-    for (int a = 0; a < 3; a++)
-        n[a] = F[(a + 1) % 3][1] * F[(a + 2) % 3][2] - F[(a + 2) % 3][1] * F[(a + 1) % 3][2];
-    const double norm = hypot(hypot(n[0], n[1]), n[2]);
-    for (int a = 0; a < 3; a++)
-        t[0][a] = n[a] / norm;
-    /* r_y + e_x x' of r_z: the sum of r_y and of r_z turned back by a right angle */
+    double y[3], z[3], n[3], back[3], t[3][3], R[3][3];
     for (int a = 0; a < 3; a++) {
-        const int b = (a + 1) % 3, c = (a + 2) % 3;
-        e[a] = F[a][1] + F[b][2] * t[0][c] - F[c][2] * t[0][b];
+        y[a] = F[a][1];
+        z[a] = F[a][2];
     }
-    const double length = hypot(hypot(e[0], e[1]), e[2]);
+    cross3(y, z, n);
     for (int a = 0; a < 3; a++)
-        t[1][a] = e[a] / length;
-    for (int a = 0; a < 3; a++) {
-        const int b = (a + 1) % 3, c = (a + 2) % 3;
-        t[2][a] = t[0][b] * t[1][c] - t[0][c] * t[1][b];
-    }
+        t[0][a] = n[a] / length3(n);
+    cross3(z, t[0], back); /* r_z turned back by a right angle about the normal */
+    for (int a = 0; a < 3; a++)
+        back[a] += y[a];
+    for (int a = 0; a < 3; a++)
+        t[1][a] = back[a] / length3(back);
+    cross3(t[0], t[1], t[2]);
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++)
             R[a][b] = t[0][a] * frame[0][b] + t[1][a] * frame[1][b] + t[2][a] * frame[2][b];
-    rotation_vector(R, w);
+    rotation_vector((const double(*)[3])R, w);
 }
 
 enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *name, double at,
@@ -189,6 +185,6 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
         zz += axis[a][2] * beam->frame[2][a];
     }
     point->twist = atan2(-zy, zz);
-    section_rotation(axis, (const double(*)[3])beam->frame, point->rotation);
+    section_rotation((const double(*)[3])axis, (const double(*)[3])beam->frame, point->rotation);
     return HOBE_OK;
 }
