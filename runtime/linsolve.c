@@ -13,6 +13,9 @@ extern void openblas_set_num_threads(int threads) __attribute__((weak));
 
 _Static_assert(sizeof(SuiteSparse_long) == sizeof(long), "long is SuiteSparse's 64-bit index");
 
+/* Stale pivots are kept while the factors' entries stay within 1/this of the matrix's. */
+static const double PIVOT_GROWTH = 1e-3;
+
 struct hobe_linsolve {
     long n, *Ap, *Ai;
     double *Ax;          /* scaled copy */
@@ -49,6 +52,16 @@ hobe_linsolve *hobe_linsolve_analyse(long n, long *Ap, long *Ai, struct hobe_err
     return s;
 }
 
+/* New values with the pivots of the last factors, which saves the search for pivots; 0 where there
+ * are none or the factors would grow. */
+static int factor_again(hobe_linsolve *s)
+{
+    return s->numeric && klu_l_refactor(s->Ap, s->Ai, s->Ax, s->symbolic, s->numeric, &s->common) &&
+           s->common.status == KLU_OK &&
+           klu_l_rgrowth(s->Ap, s->Ai, s->Ax, s->symbolic, s->numeric, &s->common) &&
+           s->common.rgrowth > PIVOT_GROWTH;
+}
+
 enum hobe_status hobe_linsolve_factor(hobe_linsolve *s, const double *Ax, const double *scale,
                                       long *column, struct hobe_error *err)
 {
@@ -58,9 +71,11 @@ enum hobe_status hobe_linsolve_factor(hobe_linsolve *s, const double *Ax, const 
         for (long p = s->Ap[j]; p < s->Ap[j + 1]; p++)
             s->Ax[p] = scale[s->Ai[p]] * Ax[p] * scale[j];
     }
-    if (s->numeric)
-        klu_l_free_numeric(&s->numeric, &s->common);
-    s->numeric = klu_l_factor(s->Ap, s->Ai, s->Ax, s->symbolic, &s->common);
+    if (!factor_again(s)) {
+        if (s->numeric)
+            klu_l_free_numeric(&s->numeric, &s->common);
+        s->numeric = klu_l_factor(s->Ap, s->Ai, s->Ax, s->symbolic, &s->common);
+    }
     if (s->common.status == KLU_OUT_OF_MEMORY || s->common.status == KLU_TOO_LARGE)
         return hobe_fail(err, HOBE_NO_MEMORY, NULL, "out of memory: factors of %ld unknowns", s->n);
     if (s->common.status == KLU_SINGULAR) {
