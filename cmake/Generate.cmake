@@ -49,6 +49,10 @@ if(stale)
   file(REMOVE ${stale})
 endif()
 
+# Written anew only when it differs, so that another choice of elements runs the generator again.
+set(choice ${CMAKE_BINARY_DIR}/elements.txt)
+file(CONFIGURE OUTPUT ${choice} CONTENT "${declarations} ${wanted}")
+
 # Files whose text stays the same keep their time and are not compiled again: the stamp is what
 # says that the generator has run.
 set(stamp ${CMAKE_BINARY_DIR}/generated.stamp)
@@ -58,7 +62,7 @@ add_custom_command(
   COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${CMAKE_SOURCE_DIR} PYTHONHASHSEED=0
           ${HOBE_PYTHON} -B -m generator --out ${generated_dir} ${declarations} --only ${wanted}
   COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
-  DEPENDS ${declarations} ${generator}
+  DEPENDS ${declarations} ${generator} ${choice}
   WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
   COMMENT "Generating elements"
   VERBATIM)
