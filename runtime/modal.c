@@ -48,6 +48,7 @@ struct modal {
     double *Ax, *Mx;            /* D K D and D M D in the model's pattern */
     double *Sx;                 /* a shifted matrix */
     double *scale, *ones;       /* [n] D, and no further scale */
+    double *product;            /* [n] M x */
     int room;                   /* modes found, wanted or more */
     double *omega2, *X;         /* [room], [room][n]: x = phi / D */
 };
@@ -113,7 +114,7 @@ static void assemble_matrices(struct modal *s)
     scale_values(s, s->Mx);
 }
 
-/* y = M x, or M's transpose, which is the same. */
+/* y = M x, by rows, which are the columns of a symmetric matrix. */
 static void multiply_mass(void *context, const double *x, double *y)
 {
     const struct modal *s = context;
@@ -157,19 +158,19 @@ static double dot(long n, const double *a, const double *b)
 
 /* x'Mx = 1 and, among the modes, x_i'M x_j = 0 to rounding: dense vectors are orthogonal relative
  * to the lowest mode only.  The largest entry is positive, the first of nearly equal ones. */
-static void orthonormalize(const struct modal *s, double *product)
+static void orthonormalize(struct modal *s)
 {
     for (int i = 0; i < s->room; i++) {
         double *x = s->X + i * s->n, largest = 0;
         for (int pass = 0; pass < 2; pass++) {
-            multiply_mass((void *)s, x, product);
+            multiply_mass(s, x, s->product);
             for (int j = 0; j < i; j++) {
-                const double along = dot(s->n, product, s->X + j * s->n);
+                const double along = dot(s->n, s->product, s->X + j * s->n);
                 for (long k = 0; k < s->n; k++)
                     x[k] -= along * s->X[j * s->n + k];
             }
-            multiply_mass((void *)s, x, product);
-            const double length = sqrt(dot(s->n, x, product));
+            multiply_mass(s, x, s->product);
+            const double length = sqrt(dot(s->n, x, s->product));
             for (long k = 0; k < s->n; k++)
                 x[k] /= length;
         }
@@ -280,7 +281,7 @@ static enum hobe_status run_lanczos(struct modal *s, int modes, long unstable, l
     if (!status && modes > below)
         status = eigen_lanczos(&pencil, unstable < 0 ? EIGEN_LARGEST_MAGNITUDE : EIGEN_LARGEST,
                                modes - below, most, s->omega2 + below, s->X + below * s->n, err);
-    for (int i = 0; i < s->room; i++) /* nu until here */
+    for (int i = 0; !status && i < s->room; i++) /* nu until here */
         s->omega2[i] = 1 / s->omega2[i];
     return status;
 }
@@ -418,10 +419,11 @@ static enum hobe_status open_modal(struct modal *s, struct hobe_error *err)
     s->r = hobe_alloc(size, sizeof *s->r, err);
     s->scale = hobe_alloc(n, sizeof *s->scale, err);
     s->ones = hobe_alloc(n, sizeof *s->ones, err);
+    s->product = hobe_alloc(n, sizeof *s->product, err);
     s->Ax = hobe_alloc((size_t)values(s), sizeof *s->Ax, err);
     s->Mx = hobe_alloc((size_t)values(s), sizeof *s->Mx, err);
     s->Sx = hobe_alloc((size_t)values(s), sizeof *s->Sx, err);
-    if (!s->u || !s->r || !s->scale || !s->ones || !s->Ax || !s->Mx || !s->Sx)
+    if (!s->u || !s->r || !s->scale || !s->ones || !s->product || !s->Ax || !s->Mx || !s->Sx)
         return HOBE_NO_MEMORY;
     if (s->state)
         memcpy(s->u, s->state->u, size * sizeof *s->u);
@@ -436,6 +438,7 @@ static void close_modal(struct modal *s)
     hobe_free(s->r);
     hobe_free(s->scale);
     hobe_free(s->ones);
+    hobe_free(s->product);
     hobe_free(s->Ax);
     hobe_free(s->Mx);
     hobe_free(s->Sx);
@@ -499,7 +502,7 @@ static enum hobe_status finish(struct modal *s, int count, int unstable,
         return HOBE_NO_MEMORY;
     modes->info = (struct hobe_modes_info){
         .count = count, .unstable = unstable, .unknowns = s->n, .method = method};
-    orthonormalize(s, s->ones);
+    orthonormalize(s);
     memcpy(modes->omega2, s->omega2, (size_t)count * sizeof *modes->omega2);
     write_shapes(s, modes);
     write_note(modes);
