@@ -384,6 +384,68 @@ static void methods_agree(int loaded)
     hobe_section_free(section);
 }
 
+/* ---- stiffness of a loaded state ------------------------------------------------------------- */
+
+/* Two arms, the outer at an angle where `corner`, under a force and a moment that bend and twist
+ * them by some tenths of a radian, and `extra` in one direction at the tip. */
+static hobe_model *loaded_arms(hobe_section *section, int corner, int direction, double extra)
+{
+    struct hobe_beam beam = with_density(beam_along_x("MGD30w", 2, section, 5e9, 0.3, 1), 1000);
+    double force[3] = {-20, 60, -90};
+    hobe_model *model = cantilever(&beam, 0);
+    beam.name = "outer";
+    beam.from[0] = 1;
+    beam.to[0] = corner ? 1.5 : 2;
+    beam.to[1] = corner ? 0.8 : 0;
+    add_beam(model, &beam);
+    add_join(model, "beam", 1, "outer", 0);
+    force[direction] += extra;
+    add_force(model, "outer", 1, force[0], force[1], force[2]);
+    add_moment(model, "outer", 1, 60, 40, -50);
+    return model;
+}
+
+static double tip_movement(hobe_section *section, int corner, int direction, double extra)
+{
+    hobe_model *model = loaded_arms(section, corner, direction, extra);
+    hobe_solution *solution = solve(model, 4);
+    const double u = point_of(solution, "outer", 1, 0, 0).u[direction];
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    return u;
+}
+
+/* All modes together hold the whole tangent: sum_i phi_i phi_i / omega_i^2 at the tip is its
+ * flexibility there, which statics gives by differences.  This sees prestress, the stiffness of
+ * loads, and that of a strained corner.  The step moves the tip by 1e-4 of its way, so that
+ * curvature (1e-8) and rounding (1e-12 of the way) stay below 1e-6; with a corner the lowest 60
+ * modes of about 100 are asked for, the others are stiff. */
+static void flexibility(int corner)
+{
+    hobe_section *section = rectangle(0.03, 0.05);
+    hobe_model *model = loaded_arms(section, corner, 0, 0);
+    hobe_solution *solution = solve(model, 4);
+    hobe_modes *modes = modes_of(model, solution, 1, HOBE_MODAL_AUTO);
+    const long unknowns = modes_info(modes).unknowns;
+    hobe_modes_free(modes);
+    modes = modes_of(model, solution, corner ? 60 : (int)unknowns, HOBE_MODAL_AUTO);
+    for (int a = 0; a < 3; a++) {
+        double sum = 0, u[3];
+        for (int i = 0; i < modes_info(modes).count; i++) {
+            shape_at(modes, i, "outer", 1, 0, 0, u);
+            sum += u[a] * u[a] / mode_of(modes, i).omega2;
+        }
+        const double difference =
+            tip_movement(section, corner, a, 0.01) - tip_movement(section, corner, a, -0.01);
+        check_relative(sum, difference / 0.02, 1e-6, "flexibility along %c%s", "xyz"[a],
+                       corner ? " behind a corner" : "");
+    }
+    hobe_modes_free(modes);
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
 /* ---- corners --------------------------------------------------------------------------------- */
 
 /* Two equal inextensible arms at a right angle, the first clamped, vibrating in their plane: zero
@@ -535,6 +597,8 @@ int main(void)
     unstable();
     methods_agree(0);
     methods_agree(1);
+    flexibility(0);
+    flexibility(1);
     corner();
     straight_corner();
     errors();
