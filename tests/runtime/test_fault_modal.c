@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Modal analysis in which the n-th allocation fails, for n = 1, 2, ... until it gets through: each
  * time it ends with "out of memory", and leaks nothing (the sanitizer looks).  Dense, by Lanczos'
- * method, and with a corner, whose modes are counted in dense factors. */
+ * method, and with a corner. */
 #include "check.h"
 #include "scene.h"
 

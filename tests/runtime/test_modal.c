@@ -504,13 +504,12 @@ static void corner(void)
     hobe_section_free(section);
 }
 
-/* A straight beam whose outer half has its axes turned: the joint becomes a corner, which lets the
- * section there strain but must keep the frequencies. */
-static void straight_corner(void)
+/* A straight beam, 2 m long and 50 x 50 mm, whose outer half has its axes turned: the joint becomes
+ * a corner. */
+static hobe_model *turned(hobe_section *section)
 {
-    hobe_section *section = rectangle(0.05, 0.05);
     struct hobe_beam beam = with_density(beam_along_x("MGD30w", 6, section, 70e9, 0.3, 1), 2700);
-    hobe_model *model = new_model(), *whole;
+    hobe_model *model = new_model();
     beam.name = "inner";
     add_beam(model, &beam);
     beam.name = "beam";
@@ -520,6 +519,14 @@ static void straight_corner(void)
     add_beam(model, &beam);
     add_clamp(model, "inner", 0, 0);
     add_join(model, "inner", 1, "beam", 0);
+    return model;
+}
+
+/* The corner lets the section there strain but must keep the frequencies. */
+static void straight_corner(void)
+{
+    hobe_section *section = rectangle(0.05, 0.05);
+    hobe_model *model = turned(section), *whole;
     const struct hobe_beam both =
         with_density(beam_along_x("MGD30w", 12, section, 70e9, 0.3, 2), 2700);
     whole = cantilever(&both, 0);
@@ -532,6 +539,24 @@ static void straight_corner(void)
     hobe_modes_free(expected);
     hobe_model_free(model);
     hobe_model_free(whole);
+    hobe_section_free(section);
+}
+
+/* The same under five times Euler's load: both planes have passed their first critical load (1) and
+ * not their second (9).  One mode is wanted, and two are told. */
+static void unstable_corner(void)
+{
+    hobe_section *section = rectangle(0.05, 0.05);
+    hobe_model *model = turned(section);
+    add_force(model, "beam", 1, -5 * PI * PI * 70e9 * properties_of(section).Iyy / 16, 0, 0);
+    hobe_solution *solution = solve(model, 1);
+    hobe_modes *modes = modes_of(model, solution, 1, HOBE_MODAL_AUTO);
+    check_that(modes_info(modes).unstable == 2 && mode_of(modes, 0).omega2 < 0,
+               "%d unstable modes, omega^2 = %g", modes_info(modes).unstable,
+               mode_of(modes, 0).omega2);
+    hobe_modes_free(modes);
+    hobe_solution_free(solution);
+    hobe_model_free(model);
     hobe_section_free(section);
 }
 
@@ -601,6 +626,7 @@ int main(void)
     flexibility(1);
     corner();
     straight_corner();
+    unstable_corner();
     errors();
     return check_report();
 }
