@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "element.h"
 
-#include "linsolve.h"
+#include "eigen.h"
 #include "material.h"
 #include "section.h"
 

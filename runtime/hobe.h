@@ -262,4 +262,66 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);
 
+/* ---- vibration (modal.c) -------------------------------------------------------------------- */
+
+enum hobe_modal_method {
+    HOBE_MODAL_AUTO,   /* by size: dense for few unknowns, Lanczos for many or with corners */
+    HOBE_MODAL_DENSE,  /* LAPACK, all modes at once; not for rigid corners */
+    HOBE_MODAL_LANCZOS /* ARPACK, shift and invert about zero */
+};
+
+struct hobe_modal_options {
+    int modes; /* wanted, those of the smallest omega^2; 0: 10, or all where there are fewer */
+    enum hobe_modal_method method;
+};
+
+/* Undamped small vibrations about an equilibrium: K phi = omega^2 M phi with K the tangent
+ * stiffness of elements, corners and loads there (so that prestress counts) and phi'M phi = 1. */
+typedef struct hobe_modes hobe_modes;
+
+struct hobe_modes_info {
+    int count;      /* modes found */
+    int unstable;   /* modes of the scene with omega^2 < 0, wanted or not; -1: not known */
+    long unknowns;  /* scalar unknowns, multipliers included */
+    double mass;    /* of all beams, kg */
+    double seconds; /* in hobe_modal without set-up */
+    enum hobe_modal_method method; /* that was used */
+};
+
+struct hobe_mode {
+    double omega2;            /* omega^2, rad^2/s^2; < 0 where the equilibrium is unstable */
+    double omega;             /* rad/s; NaN where omega^2 < 0 */
+    double participation[3];  /* phi'M r_a, r_a the unit translation of all along global X, Y, Z,
+                                 supports included (they shake), sqrt(kg) */
+    double effective_mass[3]; /* its square, kg: over all modes they add up to hobe_modes_info.mass
+                                 less what rests on the supports */
+};
+
+/* Vibration about the equilibrium `state` of this model under its loads, or, where NULL, about the
+ * reference without load.  HOBE_BAD_INPUT where a beam has no density, or a state holds follower
+ * forces (whose stiffness is not symmetric); HOBE_SINGULAR at a critical load.  On success *modes
+ * is owned by the caller and refers to the model, which must outlive it; not to the state. Lanczos'
+ * method is not for two threads at once. */
+enum hobe_status hobe_modal(hobe_model *model, const hobe_solution *state,
+                            const struct hobe_modal_options *options, hobe_modes **modes,
+                            struct hobe_error *err);
+void hobe_modes_free(hobe_modes *modes);
+void hobe_modes_info(const hobe_modes *modes, struct hobe_modes_info *info);
+
+/* What must not be overlooked, such as unstable modes: a sentence, or NULL.  Owned by modes. */
+const char *hobe_modes_note(const hobe_modes *modes);
+
+/* The i-th mode, 0 <= i < count, omega^2 ascending. */
+enum hobe_status hobe_modes_mode(const hobe_modes *modes, int i, struct hobe_mode *mode,
+                                 struct hobe_error *err);
+
+/* Displacement u of mode i at the place (at, y, z) of a beam as in hobe_solution_point, global
+ * axes, 1/sqrt(kg): times a modal coordinate in m sqrt(kg) it is in m. */
+enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *beam, double at,
+                                  double y, double z, double u[3], struct hobe_error *err);
+
+/* phi_i'M phi_j, summed over the elements: the modal mass, 1, where i = j, and 0 elsewhere, but for
+ * rounding.  NaN where there are no such modes. */
+double hobe_modes_mass(const hobe_modes *modes, int i, int j);
+
 #endif

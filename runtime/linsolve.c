@@ -2,14 +2,6 @@
 #include "linsolve.h"
 
 #include <klu.h>
-#include <math.h>
-
-/* LAPACK: eigenvalues of a symmetric matrix. */
-extern void dsyev_(const char *job, const char *triangle, const int *n, double *A, const int *lda,
-                   double *w, double *work, const int *lwork, int *info);
-
-/* OpenBLAS: threads, which the small matrices here only wait for.  Other BLAS have no such call. */
-extern void openblas_set_num_threads(int threads) __attribute__((weak));
 
 _Static_assert(sizeof(SuiteSparse_long) == sizeof(long), "long is SuiteSparse's 64-bit index");
 
@@ -103,6 +95,18 @@ enum hobe_status hobe_linsolve_solve(hobe_linsolve *s, double *b, struct hobe_er
     return HOBE_OK;
 }
 
+long hobe_linsolve_negative(const hobe_linsolve *s)
+{
+    const double *pivot = s->numeric->Udiag;
+    long negative = 0;
+    for (long k = 0; k < s->n; k++) {
+        if (s->numeric->Pnum[k] != s->symbolic->Q[k])
+            return -1;
+        negative += pivot[k] < 0;
+    }
+    return negative;
+}
+
 void hobe_linsolve_free(hobe_linsolve *s)
 {
     if (!s)
@@ -114,25 +118,4 @@ void hobe_linsolve_free(hobe_linsolve *s)
     hobe_free(s->Ax);
     hobe_free(s->own_scale);
     hobe_free(s);
-}
-
-enum hobe_status hobe_eigenvalues(int n, double *A, double *eigenvalue, struct hobe_error *err)
-{
-    double best;
-    int info, lwork = -1;
-    if (openblas_set_num_threads)
-        openblas_set_num_threads(1);
-    dsyev_("N", "L", &n, A, &n, eigenvalue, &best, &lwork, &info);
-    lwork = (int)best;
-    double *work = hobe_alloc((size_t)lwork, sizeof *work, err);
-    if (!work)
-        return HOBE_NO_MEMORY;
-    dsyev_("N", "L", &n, A, &n, eigenvalue, work, &lwork, &info);
-    hobe_free(work);
-    if (info)
-        return hobe_fail(err, HOBE_SINGULAR, NULL,
-                         "the eigenvalues of a %d x %d matrix did not "
-                         "converge",
-                         n, n);
-    return HOBE_OK;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Linear algebra behind four functions: analyse, factor, solve, free.  The only room that talks to
- * SuiteSparse and LAPACK. */
+/* Sparse linear systems behind four functions: analyse, factor, solve, free.  The only room that
+ * talks to SuiteSparse. */
 #ifndef HOBE_LINSOLVE_H
 #define HOBE_LINSOLVE_H
 
@@ -21,9 +21,10 @@ enum hobe_status hobe_linsolve_factor(hobe_linsolve *solver, const double *Ax, c
 /* Solves A x = b with the last factors; b[n] is overwritten by x. */
 enum hobe_status hobe_linsolve_solve(hobe_linsolve *solver, double *b, struct hobe_error *err);
 
-void hobe_linsolve_free(hobe_linsolve *solver);
+/* How many eigenvalues of the symmetric matrix that was factored last are negative: Sylvester's
+ * law, by the signs of the pivots; -1 where a pivot was taken off the diagonal. */
+long hobe_linsolve_negative(const hobe_linsolve *solver);
 
-/* Eigenvalues, ascending, of a dense symmetric matrix A[n][n] (destroyed). */
-enum hobe_status hobe_eigenvalues(int n, double *A, double *eigenvalue, struct hobe_error *err);
+void hobe_linsolve_free(hobe_linsolve *solver);
 
 #endif

@@ -29,6 +29,8 @@ extern const struct hobe_lua_entry hobe_lua_item_entries[];    /* lua_item.c */
 extern const struct hobe_lua_entry hobe_lua_scene_entries[];   /* lua_scene.c */
 extern const struct hobe_lua_entry hobe_lua_solve_entries[];   /* lua_solve.c */
 extern const struct hobe_lua_entry hobe_lua_result_methods[];  /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_modal_entries[];   /* lua_modal.c */
+extern const struct hobe_lua_entry hobe_lua_modes_methods[];   /* lua_modal.c */
 extern const struct hobe_lua_entry hobe_lua_kernel_entries[];  /* lua_kernel.c */
 extern const struct hobe_lua_entry hobe_lua_kernel_methods[];  /* lua_kernel.c */
 extern const struct hobe_lua_entry hobe_lua_report_entries[];  /* lua_report.c */

@@ -223,6 +223,14 @@ static const hobe_section *read_section(lua_State *L, int index, const char *wha
     return *section;
 }
 
+static const hobe_solution *read_result(lua_State *L, int index, const char *what)
+{
+    hobe_solution **solution = luaL_testudata(L, index, HOBE_LUA_RESULT);
+    if (!solution || !*solution)
+        fail_type(L, index, what, "a result of hobe.static(scene)");
+    return *solution;
+}
+
 /* Puts the value at index, which is there, into *out. */
 static void read_value(lua_State *L, int index, const char *what, const struct hobe_lua_key *key,
                        void *out)
@@ -257,6 +265,9 @@ static void read_value(lua_State *L, int index, const char *what, const struct h
     case KEY_SECTION:
         *(const hobe_section **)out = read_section(L, index, what);
         break;
+    case KEY_RESULT:
+        *(const hobe_solution **)out = read_result(L, index, what);
+        break;
     case KEY_LIST:
         if (!lua_istable(L, index))
             fail_type(L, index, what, "a table");
@@ -279,6 +290,8 @@ static void set_fallback(const struct hobe_lua_key *key, void *out)
         memset(out, 0, 3 * sizeof(double));
     else if (key->type == KEY_PAIR)
         memset(out, 0, 2 * sizeof(double));
+    else if (key->type == KEY_RESULT)
+        *(const hobe_solution **)out = NULL;
 }
 
 void hobe_lua_read_value(lua_State *L, int index, const char *what, const struct hobe_lua_key *key,

@@ -7,7 +7,9 @@
 #include <lua.h>
 #include <stddef.h>
 
-#define HOBE_LUA_SECTION "hobe.section" /* type name of a section's userdata */
+/* Type names of userdata that begin with a pointer to the object. */
+#define HOBE_LUA_SECTION "hobe.section"
+#define HOBE_LUA_RESULT  "hobe.result"
 
 /* What a key holds, and the C object at its offset. */
 enum hobe_lua_type {
@@ -20,6 +22,8 @@ enum hobe_lua_type {
     KEY_PAIR,    /* {a, b}                     double[2]; {0, 0} where left out */
     KEY_GROUP,   /* table described by `group` the struct described there */
     KEY_SECTION, /* a section                  const hobe_section *, alive as long as the section */
+    KEY_RESULT,  /* a result of static         const hobe_solution *, likewise; NULL where left out
+                  */
     KEY_LIST     /* any table                  nothing: the function reads it itself */
 };
 

@@ -6,10 +6,8 @@
 #include <string.h>
 #include <time.h>
 
-#define RESULT "hobe.result"
-
-struct result { /* its user value is the scene */
-    hobe_solution *solution;
+struct result {              /* its user value is the scene */
+    hobe_solution *solution; /* first: KEY_RESULT reads it */
     const hobe_model *model;
 };
 
@@ -77,7 +75,7 @@ static void end_watch(const struct watch *watch)
 
 static int finalize(lua_State *L)
 {
-    struct result *result = luaL_checkudata(L, 1, RESULT);
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
     hobe_solution_free(result->solution);
     result->solution = NULL;
     return 0;
@@ -110,7 +108,7 @@ static const struct hobe_lua_field fields[] = {
 
 static struct summary summarize(lua_State *L)
 {
-    struct result *result = luaL_checkudata(L, 1, RESULT);
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
     struct summary summary;
     hobe_solution_info(result->solution, &summary.solution);
     hobe_model_info(result->model, &summary.model);
@@ -145,7 +143,7 @@ static const struct hobe_lua_key offset_key = {.name = "offset", .type = KEY_NUM
 /* The point (beam, at, y, z) that the arguments of a method ask for; `name` is the method. */
 static struct hobe_point read_point(lua_State *L, const char *name)
 {
-    struct result *result = luaL_checkudata(L, 1, RESULT);
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
     struct hobe_point point;
     struct hobe_error err;
     double at, y, z;
@@ -252,7 +250,7 @@ static int solve_static(lua_State *L)
     read_options(L, &options);
     struct result *result = lua_newuserdatauv(L, sizeof *result, 1);
     *result = (struct result){NULL, scene->model};
-    hobe_lua_set_type(L, RESULT, finalize, hobe_lua_result_methods, get_field);
+    hobe_lua_set_type(L, HOBE_LUA_RESULT, finalize, hobe_lua_result_methods, get_field);
     lua_pushvalue(L, 1);
     lua_setiuservalue(L, -2, 1);
     options.newton.log = watch_iteration;

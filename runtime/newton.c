@@ -8,6 +8,7 @@
 #include "assemble.h"
 #include "constraint.h"
 #include "load.h"
+#include "pattern.h"
 #include "solution.h"
 
 #include <float.h>
@@ -283,25 +284,11 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
     return HOBE_OK;
 }
 
-/* D = diag(K)^(-1/2) and the norm of the load, both at the reference.  A multiplier has no
- * diagonal: its row is scaled to entries of order one. */
+/* D = diag(K)^(-1/2) and the norm of the load, both at the reference. */
 static void set_scale(struct solver *s)
 {
-    const struct pattern *p = &s->model->pattern;
     evaluate(s, 1, 1);
-    for (int multipliers = 0; multipliers < 2; multipliers++)
-        for (long j = 0; j < 3 * p->blocks; j++) {
-            double diagonal = 0, largest = 0;
-            for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++) {
-                if (p->Ai[k] == j)
-                    diagonal = fabs(s->Ax[k]);
-                largest = fmax(largest, s->scale[p->Ai[k]] * fabs(s->Ax[k]));
-            }
-            if (!multipliers && diagonal > 0)
-                s->scale[j] = 1 / sqrt(diagonal);
-            else if (multipliers && diagonal == 0)
-                s->scale[j] = largest > 0 ? 1 / largest : 1;
-        }
+    pattern_scale(&s->model->pattern, s->Ax, s->scale);
     s->load_norm = scaled_norm(s, s->r, 1); /* F = 0 at the reference */
 }
 

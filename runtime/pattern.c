@@ -3,6 +3,7 @@
 
 #include "constraint.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 void pattern_free(struct pattern *p)
@@ -154,4 +155,23 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
     for (size_t i = 0; !status && i < model->corners.count; i++)
         corner_map(model, model_corner(model, i));
     return status;
+}
+
+void pattern_scale(const struct pattern *p, const double *Ax, double *scale)
+{
+    for (long j = 0; j < 3 * p->blocks; j++)
+        scale[j] = 0;
+    for (int multipliers = 0; multipliers < 2; multipliers++)
+        for (long j = 0; j < 3 * p->blocks; j++) {
+            double diagonal = 0, largest = 0;
+            for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++) {
+                if (p->Ai[k] == j)
+                    diagonal = fabs(Ax[k]);
+                largest = fmax(largest, scale[p->Ai[k]] * fabs(Ax[k]));
+            }
+            if (!multipliers && diagonal > 0)
+                scale[j] = 1 / sqrt(diagonal);
+            else if (multipliers && diagonal == 0)
+                scale[j] = largest > 0 ? 1 / largest : 1;
+        }
 }

@@ -150,19 +150,48 @@ static void section_rotation(const double F[3][3], const double frame[3][3], dou
     rotation_vector((const double(*)[3])R, w);
 }
 
+/* The beam called name and the place at; NULL with err where there is none. */
+static const struct beam *find_place(const hobe_model *model, const char *name, double at,
+                                     struct place *place, struct hobe_error *err)
+{
+    const struct beam *beam = model_find_beam(model, name, NULL, err);
+    if (beam && !(at >= 0 && at <= 1)) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                  "at must be a fraction of the beam's length from 0 to 1, got %g", at);
+        return NULL;
+    }
+    if (beam)
+        *place = model_place(beam, at);
+    return beam;
+}
+
+enum hobe_status solution_displacement(const hobe_model *model, const double *vectors,
+                                       const char *name, double at, double y, double z, double u[3],
+                                       struct hobe_error *err)
+{
+    struct place place;
+    struct around p;
+    double gradient_u[3][3];
+    const struct beam *beam = find_place(model, name, at, &place, err);
+    if (!beam)
+        return err ? err->status : HOBE_BAD_INPUT;
+    look_around(model, vectors, place, &p);
+    const enum hobe_status status = set_modes(beam, y, z, &p, err);
+    if (!status)
+        field(&p, p.u, u, gradient_u);
+    return status;
+}
+
 enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *name, double at,
                                      double y, double z, struct hobe_point *point,
                                      struct hobe_error *err)
 {
-    const struct beam *beam = model_find_beam(solution->model, name, NULL, err);
-    double axis[3][3], gradient_u[3][3];
-    if (!beam)
-        return HOBE_UNKNOWN;
-    if (!(at >= 0 && at <= 1))
-        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "at must be a fraction of the beam's length from 0 to 1, got %g", at);
-    const struct place place = model_place(beam, at);
+    struct place place;
     struct around p;
+    double axis[3][3], gradient_u[3][3];
+    const struct beam *beam = find_place(solution->model, name, at, &place, err);
+    if (!beam)
+        return err ? err->status : HOBE_BAD_INPUT;
     look_around(solution->model, solution->u, place, &p);
     enum hobe_status status = set_modes(beam, 0, 0, &p, err);
     if (status)

@@ -15,4 +15,9 @@ struct hobe_solution {
  * deformation has turned inside out where it is not positive. */
 double solution_smallest_volume(const hobe_model *model, const double *u);
 
+/* Displacement at a place of a beam, as in hobe_solution_point, of the field vectors[..][3]. */
+enum hobe_status solution_displacement(const hobe_model *model, const double *vectors,
+                                       const char *beam, double at, double y, double z, double u[3],
+                                       struct hobe_error *err);
+
 #endif

@@ -23,8 +23,10 @@ local scene = hobe.scene{
   hobe.moment{ "b", at = 1, value = {1, 0, 0} },
 }
 local r = hobe.static(scene)
+local m = hobe.modal(scene, { modes = 2 })
 local element = hobe.kernel{ element = "BE24", section = section, material = material, length = 1 }
-hobe.report{ u = r:displacement("b", 1)[3], U = element:energy(element:reference()) }
+hobe.report{ u = r:displacement("b", 1)[3], U = element:energy(element:reference()),
+             f = m:frequencies()[2], v = m:shape(1, "b", 1)[3] }
 LUA
 
 n=1
