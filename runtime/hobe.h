@@ -84,6 +84,8 @@ hobe_section *hobe_section_profile(enum hobe_profile profile,
 hobe_section *hobe_section_hollow(double width, double height, double thickness,
                                   enum hobe_warping warping, struct hobe_error *err);
 
+enum { HOBE_MAX_OUTLINE = 1000 }; /* points, those of the holes included */
+
 /* Any outline with holes: loops[0] points of the outline, then loops[1] of the first hole, ...;
  * point[sum of loops][2] = y, z from any origin, either way round.  w solved. */
 hobe_section *hobe_section_polygon(int loops, const int *points, const double (*point)[2],

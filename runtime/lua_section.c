@@ -241,12 +241,12 @@ static int box(lua_State *L)
 
 /* ---- polygons ------------------------------------------------------------------------------- */
 
-enum { MOST_LOOPS = 200, MOST_POINTS = 2000 };
+enum { MOST_LOOPS = HOBE_MAX_OUTLINE / 3 };
 
 struct loops {
     int loops, total;
     int points[MOST_LOOPS];
-    double point[MOST_POINTS][2];
+    double point[HOBE_MAX_OUTLINE][2];
 };
 
 static const struct hobe_lua_key polygon_keys[] = {
@@ -261,8 +261,8 @@ static void read_loop(lua_State *L, int index, const char *what, struct loops *l
 {
     static const struct hobe_lua_key pair = {.type = KEY_PAIR};
     const int count = (int)lua_rawlen(L, index);
-    if (loops->loops == MOST_LOOPS || count > MOST_POINTS - loops->total)
-        hobe_lua_fail(L, "polygon: at most %d points in %d loops are possible", MOST_POINTS,
+    if (loops->loops == MOST_LOOPS || count > HOBE_MAX_OUTLINE - loops->total)
+        hobe_lua_fail(L, "polygon: at most %d points in %d loops are possible", HOBE_MAX_OUTLINE,
                       MOST_LOOPS);
     for (int i = 1; i <= count; i++) {
         const char *place = lua_pushfstring(L, "%s[%d]", what, i);

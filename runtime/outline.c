@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "outline.h"
 
+#include "hobe.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-enum { MAX_POINTS = 2000 };
 
 /* Relative to the outline's extent: closer points are one, smaller areas (in the square) none. */
 static const double SAME = 1e-7;
@@ -175,10 +175,10 @@ static enum hobe_status check_counts(int loops, const int *points, int *total,
             return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                              "polygon: %s needs at least 3 points, got %d", name_of(l, name),
                              points[l]);
-        if (points[l] > MAX_POINTS - *total)
+        if (points[l] > HOBE_MAX_OUTLINE - *total)
             return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                              "polygon: an outline with its holes may have %d points, got more",
-                             MAX_POINTS);
+                             HOBE_MAX_OUTLINE);
         *total += points[l];
     }
     return HOBE_OK;

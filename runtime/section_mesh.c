@@ -15,7 +15,8 @@ enum { QUADRATIC_TRIANGLE = 9, NODES = 6 }; /* gmsh's number of the element type
 /* Sizes of triangles.  Where a wall is plain w is bilinear across and along it, which one quadratic
  * triangle holds; at a re-entrant corner w goes like r^(2/3), at a convex one its second derivative
  * like log r.  With these numbers J is within 1e-5 on rectangles and 1e-4 on I-sections. */
-static const double PLAIN = 0.8;    /* of the wall's thickness */
+static const double PLAIN = 0.8;          /* of the wall's thickness */
+static const double MOST_SLENDER = 10000; /* perimeter over thickness: some 20 000 triangles */
 static const double STRAIGHT = 0.4; /* sine of the turn below which a vertex belongs to a curve */
 static const struct {
     double size;   /* at the corner, of the section's mean thickness */
@@ -33,26 +34,30 @@ static double cross(const double a[2], const double b[2])
     return a[0] * b[1] - a[1] * b[0];
 }
 
-/* The nearest point q of the outline to p, and the inward normal there. */
+/* The nearest point q of the outline to p, and the inward normal there.  Asked some hundred
+ * thousand times: no square roots within the loop. */
 static void nearest_edge(const struct hobe_outline *o, const double p[2], double q[2], double n[2])
 {
     double best = INFINITY;
     for (int l = 0; l < o->loops; l++)
         for (int i = o->start[l]; i < o->start[l + 1]; i++) {
             const double *a = o->point[i], *b = o->point[hobe_outline_next(o, l, i)];
-            const double e[2] = {b[0] - a[0], b[1] - a[1]}, length = hypot(e[0], e[1]);
-            const double along = ((p[0] - a[0]) * e[0] + (p[1] - a[1]) * e[1]) / (length * length);
-            const double t = fmin(1, fmax(0, along));
-            const double at[2] = {a[0] + t * e[0], a[1] + t * e[1]};
-            const double d = hypot(p[0] - at[0], p[1] - at[1]);
-            if (d >= best)
+            const double e[2] = {b[0] - a[0], b[1] - a[1]}, ap[2] = {p[0] - a[0], p[1] - a[1]};
+            const double along = (ap[0] * e[0] + ap[1] * e[1]) / (e[0] * e[0] + e[1] * e[1]);
+            const double t = along < 0 ? 0 : along > 1 ? 1 : along;
+            const double d[2] = {ap[0] - t * e[0], ap[1] - t * e[1]};
+            const double square = d[0] * d[0] + d[1] * d[1];
+            if (square >= best)
                 continue;
-            best = d;
-            q[0] = at[0];
-            q[1] = at[1];
-            n[0] = -e[1] / length;
-            n[1] = e[0] / length;
+            best = square;
+            q[0] = a[0] + t * e[0];
+            q[1] = a[1] + t * e[1];
+            n[0] = -e[1];
+            n[1] = e[0];
         }
+    const double length = hypot(n[0], n[1]);
+    n[0] /= length;
+    n[1] /= length;
 }
 
 /* How thick the wall is at p: from the nearest edge straight across to the next one. */
@@ -65,8 +70,12 @@ static double wall(const struct sizing *s, const double p[2])
         for (int i = o->start[l]; i < o->start[l + 1]; i++) {
             const double *a = o->point[i], *b = o->point[hobe_outline_next(o, l, i)];
             const double e[2] = {b[0] - a[0], b[1] - a[1]}, to[2] = {a[0] - q[0], a[1] - q[1]};
-            const double turn = cross(n, e), u = cross(to, n) / turn, d = cross(to, e) / turn;
-            if (turn != 0 && u >= 0 && u <= 1 && d > 1e-6 * s->thickness)
+            /* q + d n = a + u e: u from 0 to 1 where a and b lie on different sides of the ray */
+            const double from_b[2] = {b[0] - q[0], b[1] - q[1]};
+            if ((cross(to, n) > 0) == (cross(from_b, n) > 0))
+                continue;
+            const double d = cross(to, e) / cross(n, e);
+            if (d > 1e-6 * s->thickness)
                 across = fmin(across, d);
         }
     return across;
@@ -111,6 +120,11 @@ static enum hobe_status set_sizing(const struct hobe_outline *o, struct sizing *
                 s->corner[j] = sine < 0 ? -1 : 1;
         }
     s->thickness = twice / perimeter;
+    if (perimeter > MOST_SLENDER * s->thickness)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "the section's walls are too thin to mesh: %g m on average, for %g m of "
+                         "edges; at most 1 : %g is possible",
+                         s->thickness, perimeter, MOST_SLENDER);
     return HOBE_OK;
 }
 
@@ -303,14 +317,14 @@ enum hobe_status hobe_mesh_outline(const struct hobe_outline *outline, struct ho
     struct sizing sizing;
     *mesh = (struct hobe_mesh){0};
     enum hobe_status status = set_sizing(outline, &sizing, err);
-    int *tags = hobe_alloc(points, sizeof *tags, err);
-    if (!status && tags) {
+    int *tags = status ? NULL : hobe_alloc(points, sizeof *tags, err);
+    if (tags) {
         pthread_mutex_lock(&lock);
         status = load(err);
         if (!status)
             status = run(&sizing, tags, mesh, err);
         pthread_mutex_unlock(&lock);
-    } else
+    } else if (!status)
         status = HOBE_NO_MEMORY;
     hobe_free(tags);
     hobe_free(sizing.corner);

@@ -237,6 +237,29 @@ static void beams_twist_as_their_sections(void)
     twist(must(hobe_section_circle(.05, &err), &err));
 }
 
+/* Torsion with the root's warping clamped.  At 1 kNm EIw p'' = G J p + E In p^3/2 - T gives 0.0677
+ * rad with the exact J, Iw and Wagner constant In, in as many digits.  At 10 kNm an independent
+ * prototype of the element has 0.605 with eq. 34; the solved w is softer, the solid (0.6525(15),
+ * its walls bend) softer still. */
+static void clamped_torsion(void)
+{
+    double twist[2][2];
+    for (int paper = 0; paper < 2; paper++)
+        for (int large = 0; large < 2; large++) {
+            hobe_section *section =
+                profile(HOBE_PROFILE_I, &PAPER_I, paper ? HOBE_WARPING_PAPER : HOBE_WARPING_SOLVED);
+            struct hobe_beam beam = beam_along_x("MGD30w", 20, section, E, NU, 2);
+            hobe_model *model = cantilever(&beam, 0);
+            add_moment(model, "beam", 1, large ? 10e3 : 1e3, 0, 0);
+            twist[paper][large] = tip_of(model, 4).twist;
+            hobe_section_free(section);
+        }
+    check_relative(twist[0][0], .0677, 2e-3, "twist at 1 kNm");
+    check_relative(twist[1][1], .605, 1e-3, "twist at 10 kNm with eq. 34");
+    check_that(twist[0][1] > twist[1][1] && twist[0][1] < .6525, "twist at 10 kNm: %g",
+               twist[0][1]);
+}
+
 /* w of a circle is held at zero, by name. */
 static void no_warping_is_noted(void)
 {
@@ -316,7 +339,7 @@ static void bad_outlines(void)
         refused(hobe_section_polygon(bad[i].loops, bad[i].points, bad[i].point, &err), &err,
                 bad[i].words);
     refused(hobe_section_polygon(0, NULL, square, &err), &err, "0 loops");
-    refused(hobe_section_polygon(1, (const int[]){2001}, square, &err), &err, "2000");
+    refused(hobe_section_polygon(1, (const int[]){1001}, square, &err), &err, "1000");
 }
 
 static void bad_sizes(void)
@@ -329,6 +352,7 @@ static void bad_sizes(void)
     refused(hobe_section_tube(.05, 0, &err), &err, "inner = 0");
     refused(hobe_section_hollow(.1, .05, .025, HOBE_WARPING_SOLVED, &err), &err, "got 0.025");
     refused(hobe_section_hollow(.1, -.05, .01, HOBE_WARPING_SOLVED, &err), &err, "-0.05");
+    refused(hobe_section_hollow(1, 1, 1e-4, HOBE_WARPING_SOLVED, &err), &err, "too thin to mesh");
     refused(hobe_section_hollow(.1, .05, .01, HOBE_WARPING_SERIES, &err), &err, "\"series\"");
     s.flange = .11;
     refused(hobe_section_profile(HOBE_PROFILE_I, &s, HOBE_WARPING_SOLVED, &err), &err,
@@ -340,6 +364,25 @@ static void bad_sizes(void)
     refused(hobe_section_profile(HOBE_PROFILE_T, &s, HOBE_WARPING_PAPER, &err), &err, "\"paper\"");
     s.height = -1;
     refused(hobe_section_profile(HOBE_PROFILE_I, &s, HOBE_WARPING_SOLVED, &err), &err, "-1");
+}
+
+/* Eq. 36 vanishes on a square box, whose solved w does not. */
+static void paper_on_a_square_box(void)
+{
+    struct hobe_error err;
+    hobe_section *section = hollow(.1, .1, .01, HOBE_WARPING_SOLVED);
+    struct hobe_beam beam = beam_along_x("MGD30w", 2, section, E, NU, 1);
+    for (int paper = 0; paper < 2; paper++) {
+        beam.integration = paper ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
+        hobe_model *model = cantilever(&beam, 0);
+        if (hobe_model_build(model, &err))
+            check_stop("%s", err.message);
+        const char *note = hobe_model_note(model, 0);
+        check_that(!note == !paper, "w is left out with the paper's integration only: %s",
+                   note ? note : "no note");
+        hobe_model_free(model);
+    }
+    hobe_section_free(section);
 }
 
 /* The paper integrates rectangles, I-sections and hollow ones only. */
@@ -375,10 +418,12 @@ int main(void)
     function_anywhere();
     beams_are_as_stiff_as_their_sections();
     beams_twist_as_their_sections();
+    clamped_torsion();
     no_warping_is_noted();
     axis_on_the_I();
     bad_outlines();
     bad_sizes();
+    paper_on_a_square_box();
     paper_integration();
     return check_report();
 }
