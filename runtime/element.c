@@ -116,11 +116,12 @@ static enum hobe_status find_dropped(hobe_element *element, enum hobe_integratio
                                      struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
+    const int paper = integration == HOBE_INTEGRATION_PAPER;
     double G[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}}, used[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}};
     if (k->functions == 0)
         return HOBE_OK; /* monomials are independent on any section */
     enum hobe_status status = gram(element, HOBE_INTEGRATION_EXACT, G, err);
-    if (!status)
+    if (!status && paper)
         status = gram(element, integration, used, err);
     if (status)
         return status;
@@ -133,7 +134,7 @@ static enum hobe_status find_dropped(hobe_element *element, enum hobe_integratio
             G[i][j] = element->dropped[j] ? 0 : sum / G[j][j];
             G[i][i] -= G[i][j] * G[i][j];
         }
-        element->dropped[i] = i > 2 && !(G[i][i] > DEPENDENT * norm && used[i][i] > 0);
+        element->dropped[i] = i > 2 && !(G[i][i] > DEPENDENT * norm && (!paper || used[i][i] > 0));
         G[i][i] = sqrt(fmax(G[i][i], 1e-300));
     }
     return HOBE_OK;

@@ -119,21 +119,27 @@ static int edges_cross(const struct hobe_outline *o, int l, int i, int m, int j,
     return meet(p[i], p[i2], p[j], p[j2], SAME * size);
 }
 
+static enum hobe_status fail_crossing(const struct hobe_outline *o, int l, int i, int m, int j,
+                                      struct hobe_error *err)
+{
+    const double *a = o->point[i], *b = o->point[j];
+    char one[20], other[20];
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "polygon: %s crosses or touches %s, between the edges that begin at (%g, %g) "
+                     "and (%g, %g)",
+                     name_of(l, one), m == l ? "itself" : name_of(m, other), a[0], a[1], b[0],
+                     b[1]);
+}
+
 static enum hobe_status check_crossings(const struct hobe_outline *o, double size,
                                         struct hobe_error *err)
 {
-    char one[20], other[20];
     for (int l = 0; l < o->loops; l++)
         for (int i = o->start[l]; i < o->start[l + 1]; i++)
             for (int m = l; m < o->loops; m++)
                 for (int j = m == l ? i + 1 : o->start[m]; j < o->start[m + 1]; j++)
                     if (edges_cross(o, l, i, m, j, size))
-                        return hobe_fail(
-                            err, HOBE_BAD_INPUT, NULL,
-                            "polygon: %s and %s cross or touch, between the edges that begin at "
-                            "(%g, %g) and (%g, %g)",
-                            name_of(l, one), m == l ? "itself" : name_of(m, other), o->point[i][0],
-                            o->point[i][1], o->point[j][0], o->point[j][1]);
+                        return fail_crossing(o, l, i, m, j, err);
     return HOBE_OK;
 }
 
