@@ -88,17 +88,16 @@ static enum hobe_status allocate(hobe_element *element, struct hobe_error *err)
     return HOBE_OK;
 }
 
-/* Marks modes beyond 1, y, z that vanish or depend on earlier ones, by Gram-Schmidt on
- * G_kl = int phi_k phi_l dA (Cholesky factor L in place). */
-static enum hobe_status find_dropped(hobe_element *element, struct hobe_error *err)
+/* G_kl = int phi_k phi_l dA, its lower triangle. */
+static enum hobe_status gram(const hobe_element *element, enum hobe_integration integration,
+                             double G[HOBE_MAX_MODES][HOBE_MAX_MODES], struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
     struct hobe_rule rule;
-    double G[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}}, phi[HOBE_MAX_MODES][3];
-    if (k->functions == 0)
-        return HOBE_OK; /* monomials are independent on any section */
-    if (hobe_section_rule(element->section, k, HOBE_INTEGRATION_EXACT, &rule, err))
-        return err ? err->status : HOBE_NO_MEMORY;
+    double phi[HOBE_MAX_MODES][3];
+    const enum hobe_status status = hobe_section_rule(element->section, k, integration, &rule, err);
+    if (status)
+        return status;
     for (int p = 0; p < rule.rule.points; p++) {
         const struct hobe_section_point *at = rule.point + p;
         k->section_modes(at->y, at->z, at->f, phi);
@@ -107,6 +106,25 @@ static enum hobe_status find_dropped(hobe_element *element, struct hobe_error *e
                 G[i][j] += at->weight * phi[i][0] * phi[j][0];
     }
     hobe_rule_free(&rule);
+    return HOBE_OK;
+}
+
+/* Marks modes beyond 1, y, z that vanish or depend on earlier ones, by Gram-Schmidt (Cholesky
+ * factor of G in place).  The paper's few points make modes dependent that are not, and are asked
+ * only whether its own w vanishes. */
+static enum hobe_status find_dropped(hobe_element *element, enum hobe_integration integration,
+                                     struct hobe_error *err)
+{
+    const struct hobe_kernel *k = element->kernel;
+    const int paper = integration == HOBE_INTEGRATION_PAPER;
+    double G[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}}, used[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}};
+    if (k->functions == 0)
+        return HOBE_OK; /* monomials are independent on any section */
+    enum hobe_status status = gram(element, HOBE_INTEGRATION_EXACT, G, err);
+    if (!status && paper)
+        status = gram(element, integration, used, err);
+    if (status)
+        return status;
     for (int i = 0; i < k->modes; i++) {
         const double norm = G[i][i];
         for (int j = 0; j < i; j++) {
@@ -116,7 +134,7 @@ static enum hobe_status find_dropped(hobe_element *element, struct hobe_error *e
             G[i][j] = element->dropped[j] ? 0 : sum / G[j][j];
             G[i][i] -= G[i][j] * G[i][j];
         }
-        element->dropped[i] = i > 2 && !(G[i][i] > DEPENDENT * norm && norm > 0);
+        element->dropped[i] = i > 2 && !(G[i][i] > DEPENDENT * norm && (!paper || used[i][i] > 0));
         G[i][i] = sqrt(fmax(G[i][i], 1e-300));
     }
     return HOBE_OK;
@@ -287,8 +305,8 @@ hobe_element *hobe_element_new(const struct hobe_element_options *options, struc
     element->section = options->section;
     element->mechanics =
         options->mechanics ? options->mechanics : hobe_mechanics_find(options->kernel->mechanics);
-    if (fill_invariants(element, options, err) || find_dropped(element, err) ||
-        check_at_rest(element, err)) {
+    if (fill_invariants(element, options, err) ||
+        find_dropped(element, options->integration, err) || check_at_rest(element, err)) {
         hobe_element_free(element);
         return NULL;
     }

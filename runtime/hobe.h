@@ -22,28 +22,75 @@
 
 #define HOBE_VERSION "0.1.0"
 
-/* ---- sections (section.c) ------------------------------------------------------------------- */
+/* ---- sections (section_*.c) ----------------------------------------------------------------- */
 
 enum hobe_warping {
-    HOBE_WARPING_SERIES, /* Saint-Venant's function, the series summed to convergence (default) */
-    HOBE_WARPING_PAPER   /* the paper's closed form: one term of eq. 33 */
+    HOBE_WARPING_SERIES, /* a rectangle's Saint-Venant function, the series summed to convergence */
+    HOBE_WARPING_PAPER,  /* the paper's closed forms: one term of eq. 33; eq. 34; eq. 36 */
+    HOBE_WARPING_SOLVED  /* Saint-Venant's function by finite elements on the outline */
 };
 
-/* A cross-section: y to the left, z up, both from the centroid, seen along +x. */
+/* A cross-section: y to the left, z up, both from the centroid, seen along +x.  A section never
+ * changes once it is made, so that threads may share it.
+ *
+ * Its function w is Saint-Venant's warping function, r_w = -kappa e_x.  On outlines it is made
+ * orthogonal to 1, y and z over the section, which makes it that of a twist about the shear centre;
+ * in an element the slopes y and z hold the difference. */
 typedef struct hobe_section hobe_section;
 
 struct hobe_section_properties {
     double A;             /* m^2 */
-    double Iyy, Izz, Iyz; /* int z^2 dA, int y^2 dA, int y z dA, m^4 */
-    double J;             /* Saint-Venant's torsion constant (exact), m^4 */
+    double yc, zc;        /* centroid in the coordinates the outline was given in, m */
+    double Iyy, Izz, Iyz; /* int z^2 dA, int y^2 dA, int y z dA, about the centroid, m^4 */
+    double J;             /* Saint-Venant's torsion constant, m^4: exact for rectangles, circles and
+                             tubes, of the finite elements (from above) for outlines */
     double J_w;           /* torsion constant with this warping function, m^4: J_w >= J */
     double Iw;            /* warping constant, int w^2 dA, m^6 */
+    double ys, zs;        /* shear centre (Trefftz) from the centroid, m */
+    double Wagner;        /* int r^4 dA - (int r^2 dA)^2/A, r from the shear centre, m^6 */
     double width, height; /* extent along y and z, m */
 };
 
-/* A rectangle, width along y and height along z, m, both > 0.  NULL and err set on bad sizes. */
+/* All sizes in m.  NULL and err set, with one sentence, on sizes and outlines that make no section.
+ *
+ * A rectangle, width along y and height along z. */
 hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,
                                      struct hobe_error *err);
+
+/* A solid circle and a round tube (radii): w = 0. */
+hobe_section *hobe_section_circle(double radius, struct hobe_error *err);
+hobe_section *hobe_section_tube(double outer, double inner, struct hobe_error *err);
+
+/* Sections of a web along z and flanges along y. */
+enum hobe_profile {
+    HOBE_PROFILE_I,       /* doubly symmetric */
+    HOBE_PROFILE_CHANNEL, /* the web at y = 0, the flanges to the left of it */
+    HOBE_PROFILE_T,       /* the flange on top */
+    HOBE_PROFILE_ANGLE,   /* legs from the origin along y (the flange) and z (the web) */
+    HOBE_PROFILES
+};
+struct hobe_profile_sizes {
+    double height, width; /* over all, along z and y */
+    double flange, web;   /* thicknesses */
+};
+const char *hobe_profile_name(enum hobe_profile profile);
+
+/* w solved; for the I-section also the paper's. */
+hobe_section *hobe_section_profile(enum hobe_profile profile,
+                                   const struct hobe_profile_sizes *sizes,
+                                   enum hobe_warping warping, struct hobe_error *err);
+
+/* A hollow rectangle of one wall thickness; w solved or the paper's. */
+hobe_section *hobe_section_hollow(double width, double height, double thickness,
+                                  enum hobe_warping warping, struct hobe_error *err);
+
+enum { HOBE_MAX_OUTLINE = 1000 }; /* points, those of the holes included */
+
+/* Any outline with holes: loops[0] points of the outline, then loops[1] of the first hole, ...;
+ * point[sum of loops][2] = y, z from any origin, either way round.  w solved. */
+hobe_section *hobe_section_polygon(int loops, const int *points, const double (*point)[2],
+                                   struct hobe_error *err);
+
 void hobe_section_free(hobe_section *section);
 void hobe_section_properties(const hobe_section *section, struct hobe_section_properties *p);
 
@@ -231,7 +278,7 @@ struct hobe_solution_info {
     double residual; /* of the last iteration */
     double energy;   /* strain energy, J */
     double
-        smallest_volume; /* min det F over the stations of all elements and the section's corners */
+        smallest_volume; /* min det F over the stations of all elements and places of a section */
     double seconds;      /* in hobe_static without set-up */
 };
 

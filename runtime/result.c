@@ -76,24 +76,22 @@ static void gradient(const struct around *p, const struct beam *beam, double F[3
 
 double solution_smallest_volume(const hobe_model *model, const double *u)
 {
-    static const double corner[5][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
     double smallest = INFINITY;
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
-        struct hobe_section_properties s;
-        double phi[5][HOBE_MAX_MODES][3];
+        const struct hobe_section *s = beam->spec.section;
+        double phi[HOBE_PROBES][HOBE_MAX_MODES][3];
         struct around p = {.kernel = beam->kernel};
-        hobe_section_properties(beam->spec.section, &s);
-        for (int c = 0; c < 5; c++) {
-            if (set_modes(beam, corner[c][0] * s.width / 2, corner[c][1] * s.height / 2, &p, NULL))
+        for (int c = 0; c < s->probes; c++) {
+            if (set_modes(beam, s->probe[c][0], s->probe[c][1], &p, NULL))
                 return NAN;
             memcpy(phi[c], p.phi, sizeof p.phi);
         }
         for (int e = 0; e < beam->spec.elements; e++)
             for (int g = 0; g < inv->stations; g++) {
                 look_around(model, u, (struct place){beam, e, inv->xi[g]}, &p);
-                for (int c = 0; c < 5; c++) {
+                for (int c = 0; c < s->probes; c++) {
                     double F[3][3];
                     memcpy(p.phi, phi[c], sizeof p.phi);
                     gradient(&p, beam, F);

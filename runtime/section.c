@@ -1,97 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rectangles, their Saint-Venant warping function, and cubature over them.  The only room that
- * talks to GSL. */
+/* What all sections share.  The only room that talks to GSL. */
 #include "section.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
-
-enum {
-    WARPING_POINTS = 32, /* Gauss points per side or panel for w: J to 1e-8, see tests/runtime.
-                            Of the large rules GSL has but some to full precision: 32, 64, 96 */
-    PAPER_POINTS = 3,    /* Tang et al. 2022 */
-    MAX_TERMS = 300,     /* the torsion constant's tail is below 1/(8 (2 n)^4): 1e-12 */
-    MAX_POINTS = 3 * WARPING_POINTS
-};
-
-/* w of a rectangle differs from -+ y z within about one width of its short ends only. */
-static const double SLENDER = 4, END_WIDTHS = 2;
-
-/* The series of eq. 33 with the sine along one side and the hyperbolic sine along the other:
- *
- *     w = sign (y z + sum over odd n of c_n sin(n pi s/S) sinh(n pi t/S)),
- *     c_n = (-1)^((n+1)/2) 8 S^2 / (n^3 pi^3 cosh(n pi T/(2S))),
- *
- * (s, t) = (z, y) and sign +, as the paper has it, or (y, z) and sign -: both are Saint-Venant's
- * function.  The terms decay from the edges t = +-T/2 inwards like exp(-n pi (T/2 - |t|)/S), so the
- * sine belongs along the short side. */
-struct series {
-    int terms;
-    int sine_along_y;
-    double sine, hyperbolic;           /* S, T */
-    double a[MAX_TERMS], c[MAX_TERMS]; /* n pi/S; c_n cosh(n pi T/(2S)) */
-};
-
-struct hobe_section {
-    double width, height;
-    struct series series, paper_series;
-    struct hobe_rule warping_rule; /* for w by `series`, kept because w costs most of the set-up */
-    struct hobe_section_properties properties;
-    char text[160];
-};
-
-static void set_series(struct series *w, double width, double height, enum hobe_warping warping)
-{
-    w->terms = warping == HOBE_WARPING_PAPER ? 1 : MAX_TERMS;
-    w->sine_along_y = warping == HOBE_WARPING_SERIES && width < height;
-    w->sine = w->sine_along_y ? width : height;
-    w->hyperbolic = w->sine_along_y ? height : width;
-    for (int i = 0; i < w->terms; i++) {
-        const double n = 2 * i + 1, pi_n = M_PI * n;
-        w->a[i] = pi_n / w->sine;
-        w->c[i] = (i % 2 ? 8.0 : -8.0) * w->sine * w->sine / (pi_n * pi_n * pi_n);
-    }
-}
-
-/* w and its gradient at (y, z): f[3]. */
-static void warping(const struct series *w, double y, double z, double *f)
-{
-    const double s = w->sine_along_y ? y : z, t = w->sine_along_y ? z : y;
-    double sum = 0, sum_s = 0, sum_t = 0;
-    for (int i = 0; i < w->terms; i++) {
-        const double a = w->a[i], far = exp(-a * w->hyperbolic);
-        /* sinh(a t)/cosh(a T/2) and cosh(a t)/cosh(a T/2) without overflow */
-        const double grow = exp(a * (fabs(t) - w->hyperbolic / 2)) / (1 + far);
-        if (grow < 1e-18)
-            break; /* as is every further term */
-        const double decay = exp(-2 * a * fabs(t));
-        const double sinh_t = copysign(grow * (1 - decay), t), cosh_t = grow * (1 + decay);
-        sum += w->c[i] * sin(a * s) * sinh_t;
-        sum_s += w->c[i] * a * cos(a * s) * sinh_t;
-        sum_t += w->c[i] * a * sin(a * s) * cosh_t;
-    }
-    const double sign = w->sine_along_y ? -1 : 1;
-    f[0] = sign * (y * z + sum);
-    f[1] = sign * (z + (w->sine_along_y ? sum_s : sum_t));
-    f[2] = sign * (y + (w->sine_along_y ? sum_t : sum_s));
-}
-
-/* Saint-Venant's torsion constant of a rectangle a >= b:
- * J = a b^3/3 (1 - 192 b/(pi^5 a) sum over odd n of tanh(n pi a/(2b))/n^5). */
-static double torsion_constant(double width, double height)
-{
-    const double a = fmax(width, height), b = fmin(width, height);
-    double sum = 0;
-    for (int n = 999; n > 0; n -= 2)
-        sum += tanh(n * M_PI * a / (2 * b)) / pow(n, 5);
-    return a * pow(b, 3) / 3 * (1 - 192 * b / (pow(M_PI, 5) * a) * sum);
-}
 
 enum hobe_status hobe_gauss(int n, double (*gauss)[2], struct hobe_error *err)
 {
+    gsl_set_error_handler_off();
     gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc((size_t)n);
     if (!table)
         return hobe_fail(err, HOBE_NO_MEMORY, NULL, "out of memory: %d Gauss points", n);
@@ -101,69 +18,23 @@ enum hobe_status hobe_gauss(int n, double (*gauss)[2], struct hobe_error *err)
     return HOBE_OK;
 }
 
-/* A rule on one side of the rectangle, from its centre. */
-struct side {
-    int points;
-    double at[MAX_POINTS][2]; /* position, weight, m */
-};
-
-/* n Gauss points on [from, to]. */
-static enum hobe_status add_panel(struct side *side, int n, double from, double to,
-                                  struct hobe_error *err)
+enum hobe_status hobe_rule_new(struct hobe_rule *rule, size_t points, struct hobe_error *err)
 {
-    double(*gauss)[2] = side->at + side->points;
-    const enum hobe_status status = hobe_gauss(n, gauss, err);
-    for (int i = 0; !status && i < n; i++) {
-        gauss[i][0] = from + (to - from) * gauss[i][0];
-        gauss[i][1] *= to - from;
-    }
-    side->points += n;
-    return status;
-}
-
-/* n Gauss points on a side; three panels on a long one where w has its boundary layers. */
-static enum hobe_status side_rule(struct side *side, int n, double length, double other,
-                                  int boundary_layers, struct hobe_error *err)
-{
-    const double half = length / 2, inner = half - END_WIDTHS * other;
-    side->points = 0;
-    if (!boundary_layers || length < SLENDER * other || inner <= 0)
-        return add_panel(side, n, -half, half, err);
-    enum hobe_status status = add_panel(side, n, -half, -inner, err);
-    if (!status)
-        status = add_panel(side, n, -inner, inner, err);
-    return status ? status : add_panel(side, n, inner, half, err);
-}
-
-/* The product of n Gauss points per side with the values of `functions` section functions. */
-static enum hobe_status product_rule(const hobe_section *section, const struct series *series,
-                                     int functions, int n, struct hobe_rule *rule,
-                                     struct hobe_error *err)
-{
-    const double W = section->width, H = section->height;
-    const int layers = functions && n == WARPING_POINTS;
-    struct side y, z;
-    *rule = (struct hobe_rule){0};
-    enum hobe_status status = side_rule(&y, n, W, H, layers, err);
-    if (!status)
-        status = side_rule(&z, n, H, W, layers, err);
-    if (status)
-        return status;
-    const size_t points = (size_t)y.points * (size_t)z.points;
-    rule->point = hobe_alloc(points, sizeof *rule->point, err);
+    *rule = (struct hobe_rule){.point = hobe_alloc(points, sizeof *rule->point, err)};
     if (!rule->point)
         return HOBE_NO_MEMORY;
     rule->rule = (struct hobe_section_rule){(int)points, rule->point};
-    struct hobe_section_point *p = rule->point;
-    for (int i = 0; i < y.points; i++)
-        for (int j = 0; j < z.points; j++, p++) {
-            p->y = y.at[i][0];
-            p->z = z.at[j][0];
-            p->weight = y.at[i][1] * z.at[j][1];
-            if (functions)
-                warping(series, p->y, p->z, p->f[0]);
-        }
     return HOBE_OK;
+}
+
+enum hobe_status hobe_rule_copy(const struct hobe_rule *from, struct hobe_rule *to,
+                                struct hobe_error *err)
+{
+    const size_t points = (size_t)from->rule.points;
+    const enum hobe_status status = hobe_rule_new(to, points, err);
+    if (!status)
+        memcpy(to->point, from->point, points * sizeof *to->point);
+    return status;
 }
 
 void hobe_rule_free(struct hobe_rule *rule)
@@ -172,26 +43,14 @@ void hobe_rule_free(struct hobe_rule *rule)
     *rule = (struct hobe_rule){0};
 }
 
-/* The section knows one function, w. */
+/* Sections know one function, w. */
 static enum hobe_status check_functions(const struct hobe_kernel *kernel, struct hobe_error *err)
 {
     for (int i = 0; i < kernel->functions; i++)
         if (strcmp(kernel->function[i], "w") != 0)
             return hobe_fail(err, HOBE_UNKNOWN, NULL,
-                             "element %s uses the section function %s, a rectangle has only w",
+                             "element %s uses the section function %s, sections have only w",
                              kernel->name, kernel->function[i]);
-    return HOBE_OK;
-}
-
-static enum hobe_status copy_rule(const struct hobe_rule *from, struct hobe_rule *to,
-                                  struct hobe_error *err)
-{
-    const size_t points = (size_t)from->rule.points;
-    to->point = hobe_alloc(points, sizeof *to->point, err);
-    if (!to->point)
-        return HOBE_NO_MEMORY;
-    memcpy(to->point, from->point, points * sizeof *to->point);
-    to->rule = (struct hobe_section_rule){from->rule.points, to->point};
     return HOBE_OK;
 }
 
@@ -200,89 +59,59 @@ enum hobe_status hobe_section_rule(const hobe_section *section, const struct hob
                                    struct hobe_error *err)
 {
     *rule = (struct hobe_rule){0};
-    if (check_functions(kernel, err))
-        return HOBE_UNKNOWN;
-    if (integration == HOBE_INTEGRATION_PAPER)
-        return product_rule(section, &section->paper_series, kernel->functions, PAPER_POINTS, rule,
-                            err);
-    if (kernel->functions)
-        return copy_rule(&section->warping_rule, rule, err);
-    const int exact = 2 * kernel->degree + 1; /* for polynomials of degree 4 * kernel->degree */
-    return product_rule(section, NULL, 0, exact, rule, err);
+    const enum hobe_status status = check_functions(kernel, err);
+    return status ? status : section->kind->rule(section, kernel, integration, rule, err);
 }
 
+/* The centroid need not lie in the material; w is then that of the nearest point, or of the branch
+ * of the closed form that continues there. */
 enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_kernel *kernel,
                                 enum hobe_integration integration, struct hobe_rule *rule,
                                 struct hobe_error *err)
 {
     *rule = (struct hobe_rule){0};
-    if (check_functions(kernel, err))
-        return HOBE_UNKNOWN;
-    const int paper = integration == HOBE_INTEGRATION_PAPER;
-    return product_rule(section, paper ? &section->paper_series : &section->series,
-                        kernel->functions, 1, rule, err);
+    enum hobe_status status = check_functions(kernel, err);
+    if (!status)
+        status = hobe_rule_new(rule, 1, err);
+    if (status)
+        return status;
+    rule->point->weight = section->properties.A;
+    if (kernel->functions)
+        section->kind->warping(section, integration == HOBE_INTEGRATION_PAPER, 0, 0,
+                               rule->point->f[0]);
+    return HOBE_OK;
 }
 
-/* Torsion and warping constants of the section with the warping function in use:
- * J_w = I_p - b^2/c,  b = int (z w_y - y w_z) dA,  c = int |grad w|^2 dA,
- * the least torsional energy when the amplitude of w is free, as it is in the element. */
-static enum hobe_status warping_constants(hobe_section *section, struct hobe_error *err)
+void hobe_section_set_warping(hobe_section *section, const struct hobe_rule *rule)
 {
     struct hobe_section_properties *p = &section->properties;
-    struct hobe_rule *rule = &section->warping_rule;
-    const enum hobe_status status =
-        product_rule(section, &section->series, 1, WARPING_POINTS, rule, err);
-    double b = 0, c = 0;
-    for (int i = 0; !status && i < rule->rule.points; i++) {
+    double b = 0, c = 0, mean[2] = {0, 0};
+    p->Iw = 0;
+    for (int i = 0; i < rule->rule.points; i++) {
         const struct hobe_section_point *at = rule->point + i;
         const double *f = at->f[0];
         b += at->weight * (at->z * f[1] - at->y * f[2]);
         c += at->weight * (f[1] * f[1] + f[2] * f[2]);
+        for (int a = 0; a < 2; a++)
+            mean[a] += at->weight * f[1 + a] / p->A;
         p->Iw += at->weight * f[0] * f[0];
     }
-    p->J_w = p->Iyy + p->Izz - b * b / c;
-    return status;
+    c -= p->A * (mean[0] * mean[0] + mean[1] * mean[1]);
+    p->J_w = p->Iyy + p->Izz - (c > 0 ? b * b / c : 0);
 }
 
-hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,
-                                     struct hobe_error *err)
+enum hobe_status hobe_section_no_paper(const char *what, struct hobe_error *err)
 {
-    if (!(width > 0 && isfinite(width)) || !(height > 0 && isfinite(height))) {
-        hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                  "a rectangle needs width > 0 and height > 0 (m), got %g and %g", width, height);
-        return NULL;
-    }
-    gsl_set_error_handler_off();
-    hobe_section *section = hobe_alloc(1, sizeof *section, err);
-    if (!section)
-        return NULL;
-    const double A = width * height;
-    section->width = width;
-    section->height = height;
-    set_series(&section->series, width, height, warping);
-    set_series(&section->paper_series, width, height, HOBE_WARPING_PAPER);
-    section->properties = (struct hobe_section_properties){
-        .A = A,
-        .Iyy = A * height * height / 12,
-        .Izz = A * width * width / 12,
-        .J = torsion_constant(width, height),
-        .width = width,
-        .height = height,
-    };
-    if (warping_constants(section, err)) {
-        hobe_section_free(section);
-        return NULL;
-    }
-    snprintf(section->text, sizeof section->text, "rectangle %g x %g m, w: %s", width, height,
-             warping == HOBE_WARPING_PAPER ? "one term of the series (paper)"
-                                           : "Saint-Venant series, converged");
-    return section;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "the paper has no integration of %s; it has that of rectangles, I-sections "
+                     "and hollow rectangles",
+                     what);
 }
 
 void hobe_section_free(hobe_section *section)
 {
-    if (section)
-        hobe_rule_free(&section->warping_rule);
+    if (section && section->kind->close)
+        section->kind->close(section);
     hobe_free(section);
 }
 
@@ -300,8 +129,7 @@ enum hobe_status hobe_section_function(const hobe_section *section, const char *
                                        double z, double *f, struct hobe_error *err)
 {
     if (strcmp(name, "w") != 0)
-        return hobe_fail(err, HOBE_UNKNOWN, NULL, "a rectangle has no section function %s, only w",
-                         name);
-    warping(&section->series, y, z, f);
+        return hobe_fail(err, HOBE_UNKNOWN, NULL, "a section has no function %s, only w", name);
+    section->kind->warping(section, 0, y, z, f);
     return HOBE_OK;
 }

@@ -11,6 +11,11 @@ struct hobe_rule {
     struct hobe_section_point *point;
 };
 
+/* A rule of points, all zero; hobe_rule_free frees it. */
+enum hobe_status hobe_rule_new(struct hobe_rule *rule, size_t points, struct hobe_error *err);
+enum hobe_status hobe_rule_copy(const struct hobe_rule *from, struct hobe_rule *to,
+                                struct hobe_error *err);
+
 /* The rule that integrates the kernel's energy over the section, with the values of the section
  * functions that the kernel names: exact (polynomials to round-off, section functions to about
  * 1e-9), or the paper's 3 x 3 Gauss points with its own warping function.
@@ -28,5 +33,40 @@ void hobe_rule_free(struct hobe_rule *rule);
 
 /* Gauss-Legendre points and weights on [0,1]: gauss[n][2]. */
 enum hobe_status hobe_gauss(int n, double (*gauss)[2], struct hobe_error *err);
+
+/* ---- for the kinds of sections ---------------------------------------------------------------
+ *
+ * A kind embeds struct hobe_section as its first member, fills it once, and never changes it
+ * afterwards, so that threads may share it. */
+
+enum { HOBE_PROBES = 16 };
+
+struct hobe_section_kind {
+    /* The rule of hobe_section_rule.  The kernel names no function but w. */
+    enum hobe_status (*rule)(const hobe_section *section, const struct hobe_kernel *kernel,
+                             enum hobe_integration integration, struct hobe_rule *rule,
+                             struct hobe_error *err);
+    /* w and its gradient f[3] at (y, z); `paper`: those that go with the paper's integration. */
+    void (*warping)(const hobe_section *section, int paper, double y, double z, double *f);
+    void (*close)(hobe_section *section); /* frees what the kind added; may be NULL */
+};
+
+struct hobe_section {
+    const struct hobe_section_kind *kind;
+    struct hobe_section_properties properties;
+    int probes;
+    double probe[HOBE_PROBES][2]; /* places where the material's volume is watched, y, z, m */
+    char text[160];
+};
+
+/* Sets J_w and Iw by a rule with w, or J_w = I_p where there is no w.
+ *
+ * J_w = I_p - b^2/c,  b = int (z w_y - y w_z) dA,  c = int |grad w - mean|^2 dA,
+ * the least torsional energy when the amplitude of w and a constant shear are free, as they are in
+ * the element. */
+void hobe_section_set_warping(hobe_section *section, const struct hobe_rule *rule);
+
+/* HOBE_BAD_INPUT: this section has no version in the paper. */
+enum hobe_status hobe_section_no_paper(const char *what, struct hobe_error *err);
 
 #endif

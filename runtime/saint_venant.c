@@ -1,0 +1,295 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "saint_venant.h"
+
+#include "linsolve.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { NODES = 6, POINTS = 6 };
+
+/* ---- quadratic triangles -------------------------------------------------------------------- */
+
+/* Shape functions of a triangle with straight sides at barycentric L, and their gradients. */
+static void shape(const struct hobe_mesh *mesh, int triangle, const double L[3], double N[NODES],
+                  double dN[NODES][2])
+{
+    const int *n = mesh->triangle[triangle];
+    const double *p[3] = {mesh->node[n[0]], mesh->node[n[1]], mesh->node[n[2]]};
+    const double twice =
+        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+    double dL[3][2];
+    for (int i = 0; i < 3; i++) {
+        const double *b = p[(i + 1) % 3], *c = p[(i + 2) % 3];
+        dL[i][0] = (b[1] - c[1]) / twice;
+        dL[i][1] = (c[0] - b[0]) / twice;
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3;
+        N[i] = L[i] * (2 * L[i] - 1);
+        N[3 + i] = 4 * L[i] * L[j];
+        for (int a = 0; a < 2; a++) {
+            dN[i][a] = (4 * L[i] - 1) * dL[i][a];
+            dN[3 + i][a] = 4 * (L[i] * dL[j][a] + L[j] * dL[i][a]);
+        }
+    }
+}
+
+static double area(const struct hobe_mesh *mesh, int triangle)
+{
+    const int *n = mesh->triangle[triangle];
+    const double *a = mesh->node[n[0]], *b = mesh->node[n[1]], *c = mesh->node[n[2]];
+    return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+}
+
+static void place(const struct hobe_mesh *mesh, int triangle, const double L[3], double p[2])
+{
+    const int *n = mesh->triangle[triangle];
+    for (int a = 0; a < 2; a++)
+        p[a] = L[0] * mesh->node[n[0]][a] + L[1] * mesh->node[n[1]][a] + L[2] * mesh->node[n[2]][a];
+}
+
+/* The k-th of six points, exact for degree 4 (Dunavant 1985); weights sum to 1. */
+static double cubature(int k, double L[3])
+{
+    static const double b[2] = {0.44594849091596488632, 0.09157621350977074346};
+    static const double weight[2] = {0.22338158967801146570, 0.10995174365532186764};
+    const int orbit = k / 3;
+    for (int i = 0; i < 3; i++)
+        L[i] = i == k % 3 ? 1 - 2 * b[orbit] : b[orbit];
+    return weight[orbit];
+}
+
+/* ---- the equations -------------------------------------------------------------------------- */
+
+/* A symmetric matrix in compressed columns. */
+struct matrix {
+    long *start, *row;
+    double *value;
+};
+
+static void matrix_free(struct matrix *m)
+{
+    hobe_free(m->start);
+    hobe_free(m->row);
+    hobe_free(m->value);
+}
+
+/* Room for six entries in a column for each triangle at its node; rows are -1 where free. */
+static enum hobe_status matrix_new(const struct hobe_mesh *mesh, struct matrix *m,
+                                   struct hobe_error *err)
+{
+    const size_t n = (size_t)mesh->nodes, entries = 36 * (size_t)mesh->triangles;
+    *m = (struct matrix){hobe_alloc(n + 1, sizeof *m->start, err),
+                         hobe_alloc(entries, sizeof *m->row, err),
+                         hobe_alloc(entries, sizeof *m->value, err)};
+    if (!m->start || !m->row || !m->value)
+        return HOBE_NO_MEMORY;
+    for (int t = 0; t < mesh->triangles; t++)
+        for (int i = 0; i < NODES; i++)
+            m->start[mesh->triangle[t][i] + 1] += NODES;
+    for (size_t i = 0; i < n; i++)
+        m->start[i + 1] += m->start[i];
+    for (size_t i = 0; i < entries; i++)
+        m->row[i] = -1;
+    return HOBE_OK;
+}
+
+static void matrix_add(struct matrix *m, long row, long column, double value)
+{
+    long p = m->start[column];
+    while (m->row[p] != row && m->row[p] >= 0)
+        p++;
+    m->row[p] = row;
+    m->value[p] += value;
+}
+
+/* Sorts the rows of each column and closes the gaps. */
+static void matrix_compress(struct matrix *m, int n)
+{
+    long to = 0, from = 0;
+    for (int c = 0; c < n; c++) {
+        const long first = to, end = m->start[c + 1];
+        for (; from < end && m->row[from] >= 0; from++) {
+            const long row = m->row[from];
+            const double value = m->value[from];
+            long p = to++;
+            for (; p > first && m->row[p - 1] > row; p--) {
+                m->row[p] = m->row[p - 1];
+                m->value[p] = m->value[p - 1];
+            }
+            m->row[p] = row;
+            m->value[p] = value;
+        }
+        from = end;
+        m->start[c] = first;
+    }
+    m->start[n] = to;
+}
+
+/* K_ij = int grad N_i . grad N_j dA; b_i = int (y N_i,z - z N_i,y) dA, which is the boundary
+ * condition's integral along the outline since (-z, y) has no divergence.  Node 0 is held at 0. */
+static void assemble(const struct hobe_mesh *mesh, struct matrix *K, double *b)
+{
+    static const double middle[3][3] = {{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}};
+    for (int t = 0; t < mesh->triangles; t++) {
+        const int *n = mesh->triangle[t];
+        double k[NODES][NODES] = {{0}}, N[NODES], dN[NODES][2], p[2];
+        for (int g = 0; g < 3; g++) { /* exact for degree 2 */
+            const double weight = area(mesh, t) / 3;
+            shape(mesh, t, middle[g], N, dN);
+            place(mesh, t, middle[g], p);
+            for (int i = 0; i < NODES; i++) {
+                b[n[i]] += weight * (p[0] * dN[i][1] - p[1] * dN[i][0]);
+                for (int j = 0; j < NODES; j++)
+                    k[i][j] += weight * (dN[i][0] * dN[j][0] + dN[i][1] * dN[j][1]);
+            }
+        }
+        for (int i = 0; i < NODES; i++)
+            for (int j = 0; j < NODES; j++)
+                if (i == j || (n[i] && n[j]))
+                    matrix_add(K, n[i], n[j], k[i][j]);
+    }
+}
+
+static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_error *err)
+{
+    long column;
+    double *scale = hobe_alloc((size_t)n, sizeof *scale, err);
+    hobe_linsolve *solver = scale ? hobe_linsolve_analyse(n, K->start, K->row, err) : NULL;
+    enum hobe_status status = solver ? HOBE_OK : HOBE_NO_MEMORY;
+    for (int c = 0; !status && c < n; c++)
+        for (long p = K->start[c]; p < K->start[c + 1]; p++)
+            if (K->row[p] == c)
+                scale[c] = 1 / sqrt(K->value[p]);
+    if (!status)
+        status = hobe_linsolve_factor(solver, K->value, scale, &column, err);
+    if (!status)
+        status = hobe_linsolve_solve(solver, x, err);
+    hobe_linsolve_free(solver);
+    hobe_free(scale);
+    return status;
+}
+
+/* int of the field dA over int dA: only the middles of sides count. */
+static double mean(const struct hobe_mesh *mesh, const double *w)
+{
+    double sum = 0, A = 0;
+    for (int t = 0; t < mesh->triangles; t++) {
+        const double a = area(mesh, t);
+        for (int i = 3; i < NODES; i++)
+            sum += a / 3 * w[mesh->triangle[t][i]];
+        A += a;
+    }
+    return sum / A;
+}
+
+enum hobe_status hobe_saint_venant(const struct hobe_mesh *mesh, double *w, double *energy,
+                                   struct hobe_error *err)
+{
+    const int n = mesh->nodes;
+    struct matrix K;
+    double *b = hobe_alloc((size_t)n, sizeof *b, err);
+    enum hobe_status status = matrix_new(mesh, &K, err);
+    if (!status && b) {
+        assemble(mesh, &K, b);
+        matrix_compress(&K, n);
+        memcpy(w, b, (size_t)n * sizeof *w);
+        w[0] = 0;
+        status = solve(n, &K, w, err);
+    } else
+        status = HOBE_NO_MEMORY;
+    if (!status) {
+        *energy = 0;
+        for (int i = 0; i < n; i++)
+            *energy += w[i] * b[i];
+        const double level = mean(mesh, w);
+        for (int i = 0; i < n; i++)
+            w[i] -= level;
+    }
+    matrix_free(&K);
+    hobe_free(b);
+    return status;
+}
+
+/* ---- the field anywhere --------------------------------------------------------------------- */
+
+static void evaluate(const struct hobe_mesh *mesh, int triangle, const double *w, const double L[3],
+                     double *f)
+{
+    double N[NODES], dN[NODES][2];
+    shape(mesh, triangle, L, N, dN);
+    f[0] = f[1] = f[2] = 0;
+    for (int i = 0; i < NODES; i++) {
+        const double value = w[mesh->triangle[triangle][i]];
+        f[0] += N[i] * value;
+        f[1] += dN[i][0] * value;
+        f[2] += dN[i][1] * value;
+    }
+}
+
+/* The point of the triangle nearest to p as barycentric L; returns its distance. */
+static double approach(const struct hobe_mesh *mesh, int triangle, const double p[2], double L[3])
+{
+    const int *n = mesh->triangle[triangle];
+    const double twice = 2 * area(mesh, triangle);
+    double nearest = INFINITY, raw[3];
+    for (int i = 0; i < 3; i++) {
+        const double *b = mesh->node[n[(i + 1) % 3]], *c = mesh->node[n[(i + 2) % 3]];
+        raw[i] = ((b[0] - p[0]) * (c[1] - p[1]) - (b[1] - p[1]) * (c[0] - p[0])) / twice;
+    }
+    if (raw[0] >= 0 && raw[1] >= 0 && raw[2] >= 0) {
+        memcpy(L, raw, sizeof raw);
+        return 0;
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3;
+        const double *a = mesh->node[n[i]], *b = mesh->node[n[j]];
+        const double e[2] = {b[0] - a[0], b[1] - a[1]};
+        const double along = ((p[0] - a[0]) * e[0] + (p[1] - a[1]) * e[1]);
+        const double t = fmin(1, fmax(0, along / (e[0] * e[0] + e[1] * e[1])));
+        const double d = hypot(a[0] + t * e[0] - p[0], a[1] + t * e[1] - p[1]);
+        if (d < nearest) {
+            nearest = d;
+            L[0] = L[1] = L[2] = 0;
+            L[i] = 1 - t;
+            L[j] = t;
+        }
+    }
+    return nearest;
+}
+
+void hobe_mesh_field(const struct hobe_mesh *mesh, const double *w, double y, double z, double *f)
+{
+    const double p[2] = {y, z};
+    double nearest = INFINITY, best[3] = {1, 0, 0}, L[3];
+    int triangle = 0;
+    for (int t = 0; t < mesh->triangles && nearest > 0; t++) {
+        const double d = approach(mesh, t, p, L);
+        if (d < nearest) {
+            nearest = d;
+            triangle = t;
+            memcpy(best, L, sizeof best);
+        }
+    }
+    evaluate(mesh, triangle, w, best, f);
+}
+
+enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *w,
+                                struct hobe_rule *rule, struct hobe_error *err)
+{
+    const int points = POINTS * mesh->triangles;
+    if (hobe_rule_new(rule, (size_t)points, err))
+        return HOBE_NO_MEMORY;
+    for (int i = 0; i < points; i++) {
+        struct hobe_section_point *at = rule->point + i;
+        const int t = i / POINTS;
+        double L[3], p[2];
+        at->weight = area(mesh, t) * cubature(i % POINTS, L);
+        place(mesh, t, L, p);
+        at->y = p[0];
+        at->z = p[1];
+        evaluate(mesh, t, w, L, at->f[0]);
+    }
+    return HOBE_OK;
+}

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rectangles and the series of their Saint-Venant warping function. */
+#include "section.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum {
+    WARPING_POINTS = 32, /* Gauss points per side or panel for w: J to 1e-8, see tests/runtime.
+                            Of the large rules GSL has but some to full precision: 32, 64, 96 */
+    PAPER_POINTS = 3,    /* Tang et al. 2022 */
+    MAX_TERMS = 300,     /* the torsion constant's tail is below 1/(8 (2 n)^4): 1e-12 */
+    MAX_POINTS = 3 * WARPING_POINTS
+};
+
+/* w of a rectangle differs from -+ y z within about one width of its short ends only. */
+static const double SLENDER = 4, END_WIDTHS = 2;
+
+/* The series of eq. 33 with the sine along one side and the hyperbolic sine along the other:
+ *
+ *     w = sign (y z + sum over odd n of c_n sin(n pi s/S) sinh(n pi t/S)),
+ *     c_n = (-1)^((n+1)/2) 8 S^2 / (n^3 pi^3 cosh(n pi T/(2S))),
+ *
+ * (s, t) = (z, y) and sign +, as the paper has it, or (y, z) and sign -: both are Saint-Venant's
+ * function.  The terms decay from the edges t = +-T/2 inwards like exp(-n pi (T/2 - |t|)/S), so the
+ * sine belongs along the short side. */
+struct series {
+    int terms;
+    int sine_along_y;
+    double sine, hyperbolic;           /* S, T */
+    double a[MAX_TERMS], c[MAX_TERMS]; /* n pi/S; c_n cosh(n pi T/(2S)) */
+};
+
+struct rectangle {
+    struct hobe_section base;
+    double width, height;
+    struct series series, paper_series;
+    struct hobe_rule warping_rule; /* for w by `series`, kept because w costs most of the set-up */
+};
+
+static void set_series(struct series *w, double width, double height, enum hobe_warping warping)
+{
+    w->terms = warping == HOBE_WARPING_PAPER ? 1 : MAX_TERMS;
+    w->sine_along_y = warping == HOBE_WARPING_SERIES && width < height;
+    w->sine = w->sine_along_y ? width : height;
+    w->hyperbolic = w->sine_along_y ? height : width;
+    for (int i = 0; i < w->terms; i++) {
+        const double n = 2 * i + 1, pi_n = M_PI * n;
+        w->a[i] = pi_n / w->sine;
+        w->c[i] = (i % 2 ? 8.0 : -8.0) * w->sine * w->sine / (pi_n * pi_n * pi_n);
+    }
+}
+
+/* w and its gradient at (y, z): f[3]. */
+static void warping(const struct series *w, double y, double z, double *f)
+{
+    const double s = w->sine_along_y ? y : z, t = w->sine_along_y ? z : y;
+    double sum = 0, sum_s = 0, sum_t = 0;
+    for (int i = 0; i < w->terms; i++) {
+        const double a = w->a[i], far = exp(-a * w->hyperbolic);
+        /* sinh(a t)/cosh(a T/2) and cosh(a t)/cosh(a T/2) without overflow */
+        const double grow = exp(a * (fabs(t) - w->hyperbolic / 2)) / (1 + far);
+        if (grow < 1e-18)
+            break; /* as is every further term */
+        const double decay = exp(-2 * a * fabs(t));
+        const double sinh_t = copysign(grow * (1 - decay), t), cosh_t = grow * (1 + decay);
+        sum += w->c[i] * sin(a * s) * sinh_t;
+        sum_s += w->c[i] * a * cos(a * s) * sinh_t;
+        sum_t += w->c[i] * a * sin(a * s) * cosh_t;
+    }
+    const double sign = w->sine_along_y ? -1 : 1;
+    f[0] = sign * (y * z + sum);
+    f[1] = sign * (z + (w->sine_along_y ? sum_s : sum_t));
+    f[2] = sign * (y + (w->sine_along_y ? sum_t : sum_s));
+}
+
+/* Saint-Venant's torsion constant of a rectangle a >= b:
+ * J = a b^3/3 (1 - 192 b/(pi^5 a) sum over odd n of tanh(n pi a/(2b))/n^5). */
+static double torsion_constant(double width, double height)
+{
+    const double a = fmax(width, height), b = fmin(width, height);
+    double sum = 0;
+    for (int n = 999; n > 0; n -= 2)
+        sum += tanh(n * M_PI * a / (2 * b)) / pow(n, 5);
+    return a * pow(b, 3) / 3 * (1 - 192 * b / (pow(M_PI, 5) * a) * sum);
+}
+
+/* A rule on one side of the rectangle, from its centre. */
+struct side {
+    int points;
+    double at[MAX_POINTS][2]; /* position, weight, m */
+};
+
+/* n Gauss points on [from, to]. */
+static enum hobe_status add_panel(struct side *side, int n, double from, double to,
+                                  struct hobe_error *err)
+{
+    double(*gauss)[2] = side->at + side->points;
+    const enum hobe_status status = hobe_gauss(n, gauss, err);
+    for (int i = 0; !status && i < n; i++) {
+        gauss[i][0] = from + (to - from) * gauss[i][0];
+        gauss[i][1] *= to - from;
+    }
+    side->points += n;
+    return status;
+}
+
+/* n Gauss points on a side; three panels on a long one where w has its boundary layers. */
+static enum hobe_status side_rule(struct side *side, int n, double length, double other,
+                                  int boundary_layers, struct hobe_error *err)
+{
+    const double half = length / 2, inner = half - END_WIDTHS * other;
+    side->points = 0;
+    if (!boundary_layers || length < SLENDER * other || inner <= 0)
+        return add_panel(side, n, -half, half, err);
+    enum hobe_status status = add_panel(side, n, -half, -inner, err);
+    if (!status)
+        status = add_panel(side, n, -inner, inner, err);
+    return status ? status : add_panel(side, n, inner, half, err);
+}
+
+/* The product of n Gauss points per side with the values of `functions` section functions. */
+static enum hobe_status product_rule(const struct rectangle *section, const struct series *series,
+                                     int functions, int n, struct hobe_rule *rule,
+                                     struct hobe_error *err)
+{
+    const double W = section->width, H = section->height;
+    const int layers = functions && n == WARPING_POINTS;
+    struct side y, z;
+    *rule = (struct hobe_rule){0};
+    enum hobe_status status = side_rule(&y, n, W, H, layers, err);
+    if (!status)
+        status = side_rule(&z, n, H, W, layers, err);
+    if (status)
+        return status;
+    if (hobe_rule_new(rule, (size_t)y.points * (size_t)z.points, err))
+        return HOBE_NO_MEMORY;
+    struct hobe_section_point *p = rule->point;
+    for (int i = 0; i < y.points; i++)
+        for (int j = 0; j < z.points; j++, p++) {
+            p->y = y.at[i][0];
+            p->z = z.at[j][0];
+            p->weight = y.at[i][1] * z.at[j][1];
+            if (functions)
+                warping(series, p->y, p->z, p->f[0]);
+        }
+    return HOBE_OK;
+}
+
+static enum hobe_status rule(const hobe_section *section, const struct hobe_kernel *kernel,
+                             enum hobe_integration integration, struct hobe_rule *rule,
+                             struct hobe_error *err)
+{
+    const struct rectangle *r = (const struct rectangle *)section;
+    if (integration == HOBE_INTEGRATION_PAPER)
+        return product_rule(r, &r->paper_series, kernel->functions, PAPER_POINTS, rule, err);
+    if (kernel->functions)
+        return hobe_rule_copy(&r->warping_rule, rule, err);
+    const int exact = 2 * kernel->degree + 1; /* for polynomials of degree 4 * kernel->degree */
+    return product_rule(r, NULL, 0, exact, rule, err);
+}
+
+static void warping_at(const hobe_section *section, int paper, double y, double z, double *f)
+{
+    const struct rectangle *r = (const struct rectangle *)section;
+    warping(paper ? &r->paper_series : &r->series, y, z, f);
+}
+
+static void close_rectangle(hobe_section *section)
+{
+    hobe_rule_free(&((struct rectangle *)section)->warping_rule);
+}
+
+static const struct hobe_section_kind rectangle_kind = {rule, warping_at, close_rectangle};
+
+/* int r^4 dA - I_p^2/A */
+static double wagner(double W, double H)
+{
+    const double A = W * H, Ip = A * (W * W + H * H) / 12;
+    return A * (pow(W, 4) / 80 + pow(H, 4) / 80 + W * W * H * H / 72) - Ip * Ip / A;
+}
+
+static void set_base(struct rectangle *r, enum hobe_warping warping)
+{
+    static const double corner[5][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+    const double W = r->width, H = r->height, A = W * H;
+    r->base = (struct hobe_section){.kind = &rectangle_kind, .probes = 5};
+    r->base.properties = (struct hobe_section_properties){
+        .A = A,
+        .Iyy = A * H * H / 12,
+        .Izz = A * W * W / 12,
+        .J = torsion_constant(W, H),
+        .Wagner = wagner(W, H),
+        .width = W,
+        .height = H,
+    };
+    for (int c = 0; c < 5; c++) {
+        r->base.probe[c][0] = corner[c][0] * W / 2;
+        r->base.probe[c][1] = corner[c][1] * H / 2;
+    }
+    snprintf(r->base.text, sizeof r->base.text, "rectangle %g x %g m, w: %s", W, H,
+             warping == HOBE_WARPING_PAPER ? "one term of the series (paper)"
+                                           : "Saint-Venant series, converged");
+}
+
+hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,
+                                     struct hobe_error *err)
+{
+    if (!(width > 0 && isfinite(width)) || !(height > 0 && isfinite(height))) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                  "a rectangle needs width > 0 and height > 0 (m), got %g and %g", width, height);
+        return NULL;
+    }
+    if (warping == HOBE_WARPING_SOLVED) {
+        const double y = width / 2, z = height / 2;
+        const double corner[4][2] = {{-y, -z}, {y, -z}, {y, z}, {-y, z}};
+        return hobe_section_polygon(1, (const int[]){4}, corner, err);
+    }
+    struct rectangle *r = hobe_alloc(1, sizeof *r, err);
+    if (!r)
+        return NULL;
+    r->width = width;
+    r->height = height;
+    set_series(&r->series, width, height, warping);
+    set_series(&r->paper_series, width, height, HOBE_WARPING_PAPER);
+    set_base(r, warping);
+    if (product_rule(r, &r->series, 1, WARPING_POINTS, &r->warping_rule, err)) {
+        hobe_section_free(&r->base);
+        return NULL;
+    }
+    hobe_section_set_warping(&r->base, &r->warping_rule);
+    return &r->base;
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sections of every kind while the n-th of the library's own allocations fails, n = 1, 2, ... */
+#include "check.h"
+#include "hobe.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { KINDS = 4 };
+
+static hobe_section *make(int kind, struct hobe_error *err)
+{
+    static const double corner[6][2] = {{0, 0}, {3, 0}, {3, 2}, {1, .5}, {2, .5}, {2, 1}};
+    static const struct hobe_profile_sizes sizes = {.2, .1, .02, .02};
+    switch (kind) {
+    case 0:
+        return hobe_section_tube(2, 1, err);
+    case 1:
+        return hobe_section_profile(HOBE_PROFILE_I, &sizes, HOBE_WARPING_PAPER, err);
+    case 2:
+        return hobe_section_polygon(2, (const int[]){3, 3}, corner, err);
+    default:
+        return hobe_section_hollow(2, 1, .2, HOBE_WARPING_SOLVED, err);
+    }
+}
+
+int main(void)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        long n = 0, seen;
+        do {
+            struct hobe_error err = {0};
+            hobe_fail_allocation(++n);
+            hobe_section *section = make(kind, &err);
+            seen = hobe_fail_allocation(0);
+            if (seen >= n)
+                check_that(!section && err.status == HOBE_NO_MEMORY &&
+                               strncmp(err.message, "out of memory", 13) == 0,
+                           "kind %d, allocation %ld of %ld: %s", kind, n, seen, err.message);
+            else
+                check_that(section != NULL, "nothing failed: %s", err.message);
+            hobe_section_free(section);
+        } while (seen >= n && n < 100);
+        printf("kind %d: %ld allocations\n", kind, n - 1);
+    }
+    return check_report();
+}
