@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Modes of large models and of models with corners: Lanczos' method about a shift, and the count of
+ * modes below it that says whether one was missed. */
+#include "modal.h"
+
+#include "constraint.h"
+#include "eigen.h"
+#include "pattern.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    COUNTED_DENSE = 2000, /* unknowns up to which signs are counted in dense factors: a second */
+    ATTEMPTS = 4
+};
+
+/* Modes this near to the last one, relative to omega^2, may be its twins and are not counted on. */
+static const double TWIN = 1e-6;
+
+static enum hobe_status solve_factored(void *context, double *x, struct hobe_error *err)
+{
+    return hobe_linsolve_solve(((struct modal *)context)->model->solver, x, err);
+}
+
+static void shift(struct modal *s, double sigma)
+{
+    for (long k = 0; k < values(s); k++)
+        s->Sx[k] = s->Ax[k] - sigma * s->Mx[k];
+}
+
+/* Takes a corner's multipliers out of the shifted matrix: their rows go to G[3][n] and G'G is added
+ * to the vectors they tie. */
+static void detach_corner(struct modal *s, const struct corner *c, double *G)
+{
+    enum { TIED = CORNER_VECTORS - 1 };
+    const struct pattern *p = &s->model->pattern;
+    const long *unknown = s->model->unknown;
+    double g[TIED][3][3] = {0};
+    for (int i = 0; i < TIED; i++)
+        for (int m = 0; m < 3 && c->block[TIED][i] >= 0; m++)
+            for (int a = 0; a < 3; a++) {
+                const long column = unknown[c->vector[i]], row = unknown[c->vector[TIED]];
+                double *at = s->Sx + pattern_scalar(p, column, c->block[TIED][i], m, a);
+                G[m * s->n + 3 * column + a] = g[i][m][a] = *at;
+                *at = s->Sx[pattern_scalar(p, row, c->block[i][TIED], a, m)] = 0;
+            }
+    for (int i = 0; i < TIED; i++)
+        for (int j = 0; j < TIED; j++)
+            for (int a = 0; a < 3 && c->block[i][j] >= 0; a++)
+                for (int b = 0; b < 3; b++)
+                    for (int m = 0; m < 3; m++)
+                        s->Sx[pattern_scalar(p, unknown[c->vector[j]], c->block[i][j], a, b)] +=
+                            g[i][m][a] * g[j][m][b];
+    for (int m = 0; m < 3; m++)
+        s->Sx[pattern_scalar(p, unknown[c->vector[TIED]], c->block[TIED][TIED], m, m)] = 1;
+}
+
+/* S = G A^-1 G' with the last factors of A, G[m][n], and how many of its eigenvalues are positive.
+ */
+static enum hobe_status count_positive(struct modal *s, long m, const double *G, long *positive,
+                                       struct hobe_error *err)
+{
+    double *S = hobe_alloc((size_t)(m * m), sizeof *S, err);
+    double *eigenvalue = hobe_alloc((size_t)m, sizeof *eigenvalue, err);
+    enum hobe_status status = S && eigenvalue ? HOBE_OK : HOBE_NO_MEMORY;
+    for (long i = 0; !status && i < m; i++) {
+        memcpy(s->product, G + i * s->n, (size_t)s->n * sizeof *G);
+        status = hobe_linsolve_solve(s->model->solver, s->product, err);
+        for (long j = 0; j < m; j++)
+            S[i * m + j] = dot(s->n, s->product, G + j * s->n);
+    }
+    if (!status)
+        status = hobe_eigenvalues((int)m, S, eigenvalue, err);
+    *positive = 0;
+    for (long i = 0; !status && i < m; i++)
+        *positive += eigenvalue[i] > 0;
+    hobe_free(S);
+    hobe_free(eigenvalue);
+    return status;
+}
+
+/* The modes below sigma of a model with corners; -1 where the factors do not show them.  Sylvester:
+ * the bordered matrix [A G'; G 0] is congruent to one with A + G'G in the place of A, and so has
+ * the signs of A + G'G and of -S, S = G (A + G'G)^-1 G'; a negative one for each multiplier is not
+ * a mode's.  G'G ties what would be loose without the corners. */
+static enum hobe_status count_behind_corners(struct modal *s, double sigma, long *below,
+                                             struct hobe_error *err)
+{
+    double *G = hobe_alloc((size_t)(s->multipliers * s->n), sizeof *G, err);
+    long rows = 0, column, positive = 0;
+    *below = -1;
+    if (!G)
+        return HOBE_NO_MEMORY;
+    shift(s, sigma);
+    for (size_t i = 0; i < s->model->corners.count; i++) {
+        const struct corner *c = model_corner(s->model, i);
+        if (s->model->unknown[c->vector[CORNER_VECTORS - 1]] >= 0) {
+            detach_corner(s, c, G + rows * s->n);
+            rows += 3;
+        }
+    }
+    enum hobe_status status = hobe_linsolve_factor(s->model->solver, s->Sx, s->ones, &column, err);
+    const long negative = status ? -1 : hobe_linsolve_negative(s->model->solver);
+    if (negative >= 0)
+        status = count_positive(s, rows, G, &positive, err);
+    if (negative >= 0 && !status)
+        *below = negative + positive - rows;
+    hobe_free(G);
+    return status == HOBE_SINGULAR ? HOBE_OK : status; /* then another count is tried */
+}
+
+/* The same by dense factors. */
+static enum hobe_status count_densely(struct modal *s, double sigma, long *below,
+                                      struct hobe_error *err)
+{
+    double *full = hobe_alloc((size_t)(s->n * s->n), sizeof *full, err);
+    if (!full)
+        return HOBE_NO_MEMORY;
+    modal_spread(s, s->Ax, sigma, full);
+    const enum hobe_status status = eigen_count_negative((int)s->n, full, below, err);
+    *below -= s->multipliers;
+    hobe_free(full);
+    return status;
+}
+
+/* Factors K - sigma M and counts the modes below sigma; -1 where that would take too long. */
+static enum hobe_status factor_and_count(struct modal *s, double sigma, long *below,
+                                         struct hobe_error *err)
+{
+    long column;
+    *below = -1;
+    enum hobe_status status = s->multipliers ? count_behind_corners(s, sigma, below, err) : HOBE_OK;
+    if (status)
+        return status;
+    shift(s, sigma);
+    status = hobe_linsolve_factor(s->model->solver, s->Sx, s->ones, &column, err);
+    if (status == HOBE_SINGULAR)
+        return hobe_fail(err, status, NULL,
+                         "the stiffness is singular in this state: the scene is at a critical "
+                         "load, or can move without resistance; change the load a little, or hold "
+                         "the scene");
+    if (status)
+        return status;
+    if (!s->multipliers)
+        *below = hobe_linsolve_negative(s->model->solver);
+    return *below < 0 && s->n <= COUNTED_DENSE ? count_densely(s, sigma, below, err) : HOBE_OK;
+}
+
+/* The `unstable` modes with negative nu = 1/omega^2, and the first of the others; without a count
+ * those nearest to zero. */
+static enum hobe_status run_lanczos(struct modal *s, int modes, long unstable, long rank,
+                                    struct hobe_error *err)
+{
+    const struct eigen_pencil pencil = {(int)s->n, s, modal_multiply_mass, solve_factored};
+    const int most = (int)rank, below = unstable > 0 ? (int)unstable : 0;
+    enum hobe_status status = modal_make_room(s, modes > below ? modes : below, err);
+    if (!status && below)
+        status = eigen_lanczos(&pencil, EIGEN_SMALLEST, below, most, s->omega2, s->X, err);
+    if (!status && modes > below)
+        status = eigen_lanczos(&pencil, unstable < 0 ? EIGEN_LARGEST_MAGNITUDE : EIGEN_LARGEST,
+                               modes - below, most, s->omega2 + below, s->X + below * s->n, err);
+    for (int i = 0; !status && i < s->room; i++) /* nu until here */
+        s->omega2[i] = 1 / s->omega2[i];
+    return status;
+}
+
+/* Sorts the modes found by omega^2: insertion, for few modes that are nearly sorted. */
+static void sort_modes(struct modal *s, double *buffer)
+{
+    const size_t size = (size_t)s->n * sizeof *buffer;
+    for (int i = 1; i < s->room; i++) {
+        const double omega2 = s->omega2[i];
+        int to = i;
+        while (to > 0 && s->omega2[to - 1] > omega2)
+            to--;
+        memcpy(buffer, s->X + i * s->n, size);
+        memmove(s->X + (to + 1) * s->n, s->X + to * s->n, (size_t)(i - to) * size);
+        memcpy(s->X + to * s->n, buffer, size);
+        memmove(s->omega2 + to + 1, s->omega2 + to, (size_t)(i - to) * sizeof *s->omega2);
+        s->omega2[to] = omega2;
+    }
+}
+
+/* How many modes below the last wanted one are missing: Lanczos' method can overlook one of two
+ * equal ones (a square section has pairs). */
+static enum hobe_status count_missing(struct modal *s, int modes, long *missing,
+                                      struct hobe_error *err)
+{
+    const double last = s->omega2[modes - 1];
+    long below;
+    *missing = 0;
+    if (last <= 0) /* unstable ones are as many as were counted */
+        return HOBE_OK;
+    const enum hobe_status status = factor_and_count(s, (1 - TWIN) * last, &below, err);
+    if (status || below < 0)
+        return status;
+    *missing = below;
+    for (int i = 0; i < s->room; i++)
+        *missing -= s->omega2[i] < (1 - TWIN) * last;
+    return HOBE_OK;
+}
+
+enum hobe_status modal_lanczos(struct modal *s, int modes, int *unstable, struct hobe_error *err)
+{
+    const long rank = s->n - 2 * s->multipliers; /* of K^-1 M */
+    double *buffer = hobe_alloc((size_t)s->n, sizeof *buffer, err);
+    enum hobe_status status = buffer ? HOBE_OK : HOBE_NO_MEMORY;
+    long missing = 1, asked = modes;
+    for (int attempt = 0; !status && missing > 0; attempt++) {
+        long below;
+        if (attempt == ATTEMPTS || asked >= rank) {
+            status = hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
+                               "Lanczos' method overlooks %ld of the %d lowest modes; ask for "
+                               "another number of modes, or use method = \"dense\"",
+                               missing, modes);
+            break;
+        }
+        status = factor_and_count(s, 0, &below, err);
+        *unstable = (int)below;
+        if (!status)
+            status = run_lanczos(s, (int)asked, below, rank, err);
+        if (status)
+            break;
+        sort_modes(s, buffer);
+        status = count_missing(s, modes, &missing, err);
+        asked += missing + 2;
+    }
+    hobe_free(buffer);
+    return status;
+}
