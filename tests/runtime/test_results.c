@@ -13,8 +13,9 @@ static const double E = 70e9, NU = 0.33;
 /* ---- tension
  * ------------------------------------------------------------------------------------- */
 
-/* Uniform tension far from the clamp: eps = P/EA and -nu eps across, with `average` and plane
- * sections; the small load's second order is 1e-9 of it. */
+/* Uniform tension far from the clamp, whose end effect falls fivefold or so with each element and
+ * is below 2e-9 of the strain from the thirteenth on: eps = P/EA and -nu eps across, with `average`
+ * and plane sections; the small load's second order is 1e-9 of it. */
 static void tension(const char *element)
 {
     const double W = 0.1, H = 0.2, L = 10, strain = 1e-9;
@@ -24,7 +25,7 @@ static void tension(const char *element)
     add_force(model, "beam", 1, strain * E * W * H, 0, 0);
     hobe_solution *solution = solve(model, 1);
     for (int i = 0; i < 8; i++) {
-        const double at = random_real(0.5, 0.95);
+        const double at = random_real(0.65, 0.95);
         const double y = random_real(-W / 2, W / 2), z = random_real(-H / 2, H / 2);
         const struct hobe_point p = point_of(solution, "beam", at, y, z);
         const double expected[6] = {strain, -NU * strain, -NU * strain, 0, 0, 0};
