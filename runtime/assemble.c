@@ -5,6 +5,13 @@
 
 #include <string.h>
 
+/* Elements in the batch that begins with element `first`. */
+static int batch_size(const struct beam *beam, int first)
+{
+    const int left = beam->spec.elements - first;
+    return left < HOBE_LANES ? left : HOBE_LANES;
+}
+
 /* The displacements of `count` elements from `first` on, structure of arrays; spare lanes repeat
  * the last element. */
 static void gather(const struct hobe_model *model, const struct beam *beam, int first, int count,
@@ -59,8 +66,7 @@ void assemble(const struct hobe_model *model, const double *u, double *f, double
         const struct beam *beam = model_beam(model, i);
         const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
         for (int first = 0; first < beam->spec.elements; first += HOBE_LANES) {
-            const int left = beam->spec.elements - first;
-            const int count = left < HOBE_LANES ? left : HOBE_LANES;
+            const int count = batch_size(beam, first);
             gather(model, beam, first, count, u);
             if (Ax)
                 beam->kernel->tangent(inv, beam->q0_lanes, work->u, work->f, work->K,
@@ -81,8 +87,7 @@ double assemble_energy(const struct hobe_model *model, const double *u)
         const struct beam *beam = model_beam(model, i);
         const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
         for (int first = 0; first < beam->spec.elements; first += HOBE_LANES) {
-            const int left = beam->spec.elements - first;
-            const int count = left < HOBE_LANES ? left : HOBE_LANES;
+            const int count = batch_size(beam, first);
             gather(model, beam, first, count, u);
             beam->kernel->energy(inv, beam->q0_lanes, model->work.u, model->work.f);
             for (int lane = 0; lane < count; lane++)

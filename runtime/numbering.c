@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* Beams in the order added, then one block of multipliers for every join: more than enough. */
 static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *err)
@@ -111,6 +110,7 @@ static enum hobe_status hold_clamps(hobe_model *model, struct hobe_error *err)
     }
     return HOBE_OK;
 }
+
 /* A corner between held sections has nothing to say: its multipliers would be undetermined. */
 static void hold_idle_corners(hobe_model *model)
 {
@@ -121,40 +121,55 @@ static void hold_idle_corners(hobe_model *model)
     }
 }
 
-/* A beam is held when its group of joined beams has a clamp: the joins and clamps of this room stop
- * all six rigid motions.  Beams are grouped by the vectors they share. */
+/* The beam that a vector was laid out for. */
+static size_t owner(const hobe_model *model, long vector)
+{
+    size_t i = model->beams.count - 1;
+    while (model_beam(model, i)->first > vector)
+        i--;
+    return i;
+}
+
+static size_t group_of(const size_t *group, size_t i)
+{
+    while (group[i] != i)
+        i = group[i];
+    return i;
+}
+
+/* Beams that share a vector are one group: group[i] leads to the same root for all of them. */
+static void group_beams(const hobe_model *model, size_t *group)
+{
+    for (size_t i = 0; i < model->beams.count; i++)
+        group[i] = i;
+    for (long v = 0; v < model->beam_vectors; v++)
+        if (model->alias[v] != v)
+            group[group_of(group, owner(model, v))] =
+                group_of(group, owner(model, model->alias[v]));
+}
+
+/* A beam is held when its group has a clamp: joins and clamps stop all six rigid motions. */
 static enum hobe_status check_held(const hobe_model *model, struct hobe_error *err)
 {
     const size_t n = model->beams.count;
-    size_t *group = hobe_alloc(n, sizeof *group, err);
-    enum hobe_status status = group ? HOBE_OK : HOBE_NO_MEMORY;
+    size_t *group = hobe_alloc(2 * n, sizeof *group, err);
+    if (!group)
+        return HOBE_NO_MEMORY;
+    size_t *clamped = group + n; /* for each root, whether its group has a clamp */
+    enum hobe_status status = HOBE_OK;
+    group_beams(model, group);
+    for (size_t c = 0; c < model->clamps.count; c++) {
+        const char *name = ((const struct hobe_clamp *)model->clamps.item)[c].beam;
+        const struct beam *beam = model_find_beam(model, name, NULL, NULL);
+        clamped[group_of(group, (size_t)(beam - model_beam(model, 0)))] = 1;
+    }
     for (size_t i = 0; !status && i < n; i++)
-        group[i] = i;
-    for (size_t pass = 0; !status && pass < n; pass++)
-        for (size_t j = 0; j < model->joins.count; j++) {
-            const struct hobe_join *join = (const struct hobe_join *)model->joins.item + j;
-            size_t g[2] = {0, 0};
-            for (size_t i = 0; i < n; i++)
-                for (int s = 0; s < 2; s++)
-                    if (strcmp(model_beam(model, i)->name, join->beam[s]) == 0)
-                        g[s] = i;
-            const size_t lowest = group[g[0]] < group[g[1]] ? group[g[0]] : group[g[1]];
-            group[g[0]] = group[g[1]] = lowest;
-        }
-    for (size_t i = 0; !status && i < n; i++) {
-        int clamped = 0;
-        for (size_t c = 0; c < model->clamps.count; c++)
-            for (size_t k = 0; k < n; k++)
-                clamped |= group[k] == group[i] &&
-                           strcmp(((const struct hobe_clamp *)model->clamps.item)[c].beam,
-                                  model_beam(model, k)->name) == 0;
-        if (!clamped)
+        if (!clamped[group_of(group, i)])
             status = hobe_fail(err, HOBE_UNCONSTRAINED, model_beam(model, i)->spec.where,
                                "beam \"%s\" is free to move: translations along x, y, z and "
                                "rotations about x, y, z; hold it by a clamp or join it to a held "
                                "beam",
                                model_beam(model, i)->name);
-    }
     hobe_free(group);
     return status;
 }
