@@ -6,7 +6,7 @@ from fractions import Fraction
 from .ir import write
 from .shape import derivative
 
-ABI = 1  # HOBE_KERNEL_ABI of kernel.h
+ABI = 2  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -169,18 +169,19 @@ def _monomial(scale, a, b):
 
 
 def _modes(element):
-    lines = ["static void section_modes(double y, double z, const double (*f)[3],",
-             "                          double (*phi)[3])", "{"]
+    lines = ["static void section_modes(double y, double z, const double (*f)[4],",
+             "                          double (*phi)[4])", "{"]
     if not element.declaration.functions:
         lines.append("    (void)f;")
     for k, mode in enumerate(element.modes):
         if mode.function is not None:
-            values = [f"f[{mode.function}][{i}]" for i in range(3)]
+            values = [f"f[{mode.function}][{i}]" for i in range(4)]
         else:
             (a, b), scale = mode.powers, mode.scale
             values = [_monomial(scale, a, b),
                       _monomial(scale * a, a - 1, b) if a else "0.0",
-                      _monomial(scale * b, a, b - 1) if b else "0.0"]
+                      _monomial(scale * b, a, b - 1) if b else "0.0",
+                      "0.0"]
         lines += [f"    phi[{k}][{i}] = {value};" for i, value in enumerate(values)]
     return "\n".join(lines + ["}", ""])
 
@@ -198,46 +199,146 @@ def _function(function):
 
 
 INVARIANTS = """\
-/* Rows that give the strains at a point from the Gram differences: eps_xx, eps_yy, eps_zz, 2eps_yz
- * from the normal block, 2eps_xz, 2eps_xy from the shear block. */
-static void strain_rows(const double (*phi)[3], double weight, double *en, double *es)
+/* The section vectors D[S][3] of nodal vectors q[V][3] at a place of the axis. */
+static void vectors_at(const double *N, const double *Nx, const double *q, double D[S][3])
 {
-    for (int k = 0; k < M; k++)
-        for (int l = 0; l <= k; l++)
-            en[hobe_pair(k, l)] += weight * phi[k][0] * phi[l][0];
-    for (int k = 1; k < M; k++)
-        for (int l = 1; l <= k; l++) {
-            double *e = en + NA + hobe_pair(k - 1, l - 1);
-            e[1 * NN] += weight * phi[k][1] * phi[l][1];
-            e[2 * NN] += weight * phi[k][2] * phi[l][2];
-            e[3 * NN] += weight * (phi[k][1] * phi[l][2] + phi[l][1] * phi[k][2]);
-        }
-    for (int k = 0; k < M; k++)
-        for (int l = 1; l < M; l++) {
-            es[k * (M - 1) + l - 1] += weight * phi[k][0] * phi[l][2];
-            es[NS + k * (M - 1) + l - 1] += weight * phi[k][0] * phi[l][1];
+    for (int i = 0; i < 3 * S; i++)
+        D[i / 3][i % 3] = 0.0;
+    for (int v = 0; v < V; v++)
+        for (int a = 0; a < 3; a++) {
+            /* the first node's position drops out: N' sums to 0 over positions */
+            const double x = q[3 * v + a] - (position[v] ? q[a] : 0.0);
+            D[mode[v]][a] += Nx[v] * x;
+            if (mode[v] > 0)
+                D[M - 1 + mode[v]][a] += N[v] * x;
         }
 }
 
-/* Q += weight * sum_ab e_a C_ab e_b' over the rows e, lower triangle. */
-static void add_law(double *Qn, double *Qs, const double *en, const double *es,
-                    const double normal[3][3], const double shear[3], double weight)
+static double product(const double *a, const double *b)
 {
-    for (int r = 0; r < NN; r++) {
-        double h[4] = {0};
-        for (int a = 0; a < 3; a++)
-            for (int b = 0; b < 3; b++)
-                h[a] += weight * normal[a][b] * en[b * NN + r];
-        h[3] = weight * shear[0] * en[3 * NN + r];
-        for (int c = 0; c <= r; c++)
-            Qn[r * NN + c] += h[0] * en[c] + h[1] * en[NN + c] + h[2] * en[2 * NN + c] +
-                              h[3] * en[3 * NN + c];
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* c = a x b */
+static void cross(const double *a, const double *b, double *c)
+{
+    for (int i = 0; i < 3; i++)
+        c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static void normalise(double *a)
+{
+    const double length = __builtin_sqrt(product(a, a));
+    for (int i = 0; i < 3; i++)
+        a[i] /= length;
+}
+
+/* The section's axes where its vectors are D: R[0] along d_0', R[1] as near to d_y as can be. */
+static void section_axes(const double D[S][3], double R[3][3])
+{
+    for (int a = 0; a < 3; a++)
+        R[0][a] = D[0][a];
+    normalise(R[0]);
+    const double along = product(D[M], R[0]);
+    for (int a = 0; a < 3; a++)
+        R[1][a] = D[M][a] - along * R[0][a];
+    normalise(R[1]);
+    cross(R[0], R[1], R[2]);
+}
+
+/* p[3][S]: dr/dx = sum_I p_0I D_I at a point of the section, dr/dy and dr/dz likewise. */
+static void parameter_rows(const double (*phi)[4], double p[3][S])
+{
+    for (int k = 0; k < M; k++) {
+        p[0][k] = phi[k][0];
+        p[1][k] = p[2][k] = 0.0;
     }
-    for (int r = 0; r < NS; r++) {
-        const double h[2] = {weight * shear[1] * es[r], weight * shear[2] * es[NS + r]};
-        for (int c = 0; c <= r; c++)
-            Qs[r * NS + c] += h[0] * es[c] + h[1] * es[NS + c];
+    for (int k = 1; k < M; k++) {
+        p[0][M - 1 + k] = phi[k][3];
+        p[1][M - 1 + k] = phi[k][1];
+        p[2][M - 1 + k] = phi[k][2];
     }
+}
+
+/* g[3][S]: the gradient dr/dX_a = sum_I g_aI D_I on the section's axes at a point of an element
+ * whose reference has the section vectors D0, g = J0^-T p; returns det J0 (eq. 22). */
+static double gradient_rows(const double (*phi)[4], const double D0[S][3], double g[3][S])
+{
+    double p[3][S], R[3][3], J[3][3] = {{0}}, C[3][3];
+    parameter_rows(phi, p);
+    section_axes(D0, R);
+    for (int b = 0; b < 3; b++)
+        for (int i = 0; i < S; i++)
+            for (int a = 0; a < 3; a++)
+                J[b][a] += p[b][i] * product(D0[i], R[a]);
+    for (int b = 0; b < 3; b++) /* cofactors: sum_b C_ba J_ba' = det J if a = a', else 0 */
+        cross(J[(b + 1) % 3], J[(b + 2) % 3], C[b]);
+    const double det = product(J[0], C[0]);
+    for (int a = 0; a < 3; a++)
+        for (int i = 0; i < S; i++)
+            g[a][i] = (C[0][a] * p[0][i] + C[1][a] * p[1][i] + C[2][a] * p[2][i]) / det;
+    return det;
+}
+
+/* The place of s_IJ, I <= J, among the Gram entries: the normal block, then the shear block. */
+static int gram_entry(int i, int j)
+{
+    if (i < M && j >= M)
+        return NN + i * (M - 1) + j - M;
+    return i < M ? hobe_pair(j, i) : NA + hobe_pair(j - M, i - M);
+}
+
+/* Rows e[6] += weight (strain at a point per Gram entry): xx, yy, zz, 2yz, 2xz, 2xy. */
+static void strain_rows(const double g[3][S], double weight, double e[6][NN + NS])
+{
+    static const int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+    for (int r = 0; r < 6; r++) {
+        const double *a = g[voigt[r][0]], *b = g[voigt[r][1]];
+        const double factor = r < 3 ? 0.5 * weight : weight;
+        for (int j = 0; j < S; j++)
+            for (int i = 0; i <= j; i++)
+                e[r][gram_entry(i, j)] += factor * (a[i] * b[j] + a[j] * b[i]);
+    }
+}
+
+/* Q_rc += sum_a h_ar e_ac over strains first..last-1; rows and columns of Q from r0 and c0. */
+static void add_block(double *Q, int r0, int rows, int c0, int columns, int first, int last,
+                      double h[6][NN + NS], double e[6][NN + NS])
+{
+    for (int r = 0; r < rows; r++) {
+        const int end = r0 == c0 ? r + 1 : columns; /* the lower triangle of a symmetric block */
+        for (int a = first; a < last; a++)
+            for (int c = 0; c < end; c++)
+                Q[r * columns + c] += h[a][r0 + r] * e[a][c0 + c];
+    }
+}
+
+/* Blocks of one station, and whether normal and shear strains mix in them. */
+struct blocks {
+    double *Qn, *Qs, *Qc;
+};
+
+/* Q += weight * sum_ab e_a C_ab e_b' over the strains e. */
+static void add_law(const struct blocks *to, double e[6][NN + NS],
+                    const struct hobe_elasticity *C, double weight)
+{
+    double h[6][NN + NS];
+    for (int r = 0; r < NN + NS; r++)
+        for (int a = 0; a < 3; a++) {
+            h[a][r] = weight * (C->normal[a][0] * e[0][r] + C->normal[a][1] * e[1][r] +
+                                C->normal[a][2] * e[2][r]);
+            h[3 + a][r] = weight * C->shear[a] * e[3 + a][r];
+        }
+    add_block(to->Qn, 0, NN, 0, NN, 0, to->Qc ? 6 : 4, h, e);
+    add_block(to->Qs, NN, NS, NN, NS, to->Qc ? 0 : 4, 6, h, e);
+    if (to->Qc)
+        add_block(to->Qc, 0, NN, NN, NS, 0, 6, h, e);
+}
+
+static void clear(double *x, int n)
+{
+    for (int i = 0; i < n; i++)
+        x[i] = 0.0;
 }
 
 static void mirror(double *Q, int n)
@@ -247,102 +348,135 @@ static void mirror(double *Q, int n)
             Q[c * n + r] = Q[r * n + c];
 }
 
-/* Section part: Q of the law at each point and of the law on the mean strain. */
-static void section_law(struct hobe_invariants *inv, const struct hobe_section_rule *rule,
-                        const struct hobe_section_rule *mean, const struct hobe_elasticity *law)
+/* The gradient's rows at a point; returns det J0, 1 where D0 is NULL (straight and prismatic). */
+static double point_rows(const struct hobe_section_point *at, const double (*D0)[3],
+                         double phi[M][4], double g[3][S])
 {
-    double en[4 * NN], es[2 * NS], phi[M][3], area = 0.0, total = 0.0;
-    for (int i = 0; i < NN * NN; i++)
-        inv->Qn[i] = 0.0;
-    for (int i = 0; i < NS * NS; i++)
-        inv->Qs[i] = 0.0;
-    for (int p = 0; p < rule->points; p++) {
-        const struct hobe_section_point *at = rule->point + p;
-        for (int i = 0; i < 4 * NN; i++)
-            en[i] = 0.0;
-        for (int i = 0; i < 2 * NS; i++)
-            es[i] = 0.0;
-        section_modes(at->y, at->z, at->f, phi);
-        strain_rows((const double(*)[3])phi, 1.0, en, es);
-        add_law(inv->Qn, inv->Qs, en, es, law->normal, law->shear, at->weight);
-        area += at->weight;
-    }
-    for (int i = 0; i < 4 * NN; i++)
-        en[i] = 0.0;
-    for (int i = 0; i < 2 * NS; i++)
-        es[i] = 0.0;
-    for (int p = 0; p < mean->points; p++)
-        total += mean->point[p].weight;
-    for (int p = 0; p < mean->points; p++) {
-        const struct hobe_section_point *at = mean->point + p;
-        section_modes(at->y, at->z, at->f, phi);
-        strain_rows((const double(*)[3])phi, at->weight / total, en, es);
-    }
-    add_law(inv->Qn, inv->Qs, en, es, law->mean_normal, law->mean_shear, area);
-    mirror(inv->Qn, NN);
-    mirror(inv->Qs, NS);
-    inv->step_n = inv->step_s = 0;
+    section_modes(at->y, at->z, at->f, phi);
+    if (D0)
+        return gradient_rows((const double(*)[4])phi, D0, g);
+    parameter_rows((const double(*)[4])phi, g);
+    return 1.0;
 }
 
-/* mass_vw = density int phi_k phi_l dA int N_v N_w dx */
-static void mass_matrix(struct hobe_invariants *inv, const struct hobe_section_rule *rule,
-                        double density)
+/* The strain of the mean law, means over `normal` and `shear`. */
+static void mean_rows(const struct hobe_section_rule *normal,
+                      const struct hobe_section_rule *shear, const double (*D0)[3],
+                      double e[6][NN + NS])
 {
-    double moment[M][M] = {{0}}, phi[M][3];
-    for (int p = 0; p < rule->points; p++) {
-        const struct hobe_section_point *at = rule->point + p;
-        section_modes(at->y, at->z, at->f, phi);
+    for (int part = 0; part < 2; part++) {
+        const struct hobe_section_rule *rule = part ? shear : normal;
+        double sum[6][NN + NS], g[3][S], phi[M][4], total = 0.0;
+        clear(sum[0], 6 * (NN + NS));
+        for (int p = 0; p < rule->points; p++) {
+            const double weight = rule->point[p].weight * point_rows(rule->point + p, D0, phi, g);
+            strain_rows((const double(*)[S])g, weight, sum);
+            total += weight;
+        }
+        for (int a = 3 * part; a < 3 * part + 3; a++)
+            for (int r = 0; r < NN + NS; r++)
+                e[a][r] = sum[a][r] / total;
+    }
+}
+
+/* Q of the law at each point of a section and of the law on the mean strain, and
+ * moment_kl = int density phi_k phi_l dA.  D0: section vectors of the reference, or NULL. */
+static void section_law(const struct blocks *to, const struct hobe_station *station,
+                        const struct hobe_law *law, const double (*D0)[3], double moment[M][M])
+{
+    double e[6][NN + NS], g[3][S], phi[M][4], area = 0.0;
+    clear(to->Qn, NN * NN);
+    clear(to->Qs, NS * NS);
+    if (to->Qc)
+        clear(to->Qc, NN * NS);
+    clear(moment[0], M * M);
+    for (int p = 0; p < station->rule.points; p++) {
+        const struct hobe_section_point *at = station->rule.point + p;
+        const double weight = at->weight * point_rows(at, D0, phi, g);
+        clear(e[0], 6 * (NN + NS));
+        strain_rows((const double(*)[S])g, 1.0, e);
+        add_law(to, e, law->region + at->region, weight);
+        area += weight;
         for (int k = 0; k < M; k++)
             for (int l = 0; l < M; l++)
-                moment[k][l] += at->weight * phi[k][0] * phi[l][0];
+                moment[k][l] += weight * law->density[at->region] * phi[k][0] * phi[l][0];
     }
+    mean_rows(&station->mean_normal, &station->mean_shear, D0, e);
+    add_law(to, e, &law->mean, area);
+    mirror(to->Qn, NN);
+    mirror(to->Qs, NS);
+}
+
+/* mass_vw = int moment_kl N_v N_w dx, exact for one section */
+static void mass_matrix(struct hobe_invariants *inv, double moment[M][M])
+{
     for (int v = 0; v < V; v++)
         for (int w = 0; w < V; w++) {
             const int i = axial_of[v], j = axial_of[w];
             double axis = overlap[i * A + j] * inv->length;
             axis *= (is_slope[i] ? inv->length : 1.0) * (is_slope[j] ? inv->length : 1.0);
-            inv->mass[v * V + w] = density * moment[mode[v]][mode[w]] * axis;
+            inv->mass[v * V + w] = moment[mode[v]][mode[w]] * axis;
         }
 }
 
-static void invariants(struct hobe_invariants *inv, const double (*gauss)[2],
-                       const struct hobe_section_rule *rule, const struct hobe_section_rule *mean,
-                       const struct hobe_elasticity *law, double density)
+/* The same, one station's part of the sum. */
+static void add_mass(struct hobe_invariants *inv, int g, double moment[M][M])
 {
+    const double *N = inv->N + V * g;
+    for (int v = 0; v < V; v++)
+        for (int w = 0; w < V; w++)
+            inv->mass[v * V + w] += inv->wx[g] * moment[mode[v]][mode[w]] * N[v] * N[w];
+}
+
+static void invariants(struct hobe_invariants *inv, const double (*gauss)[2], int sections,
+                       const struct hobe_station *station, const struct hobe_law *law,
+                       const double *q0)
+{
+    const struct blocks first = {inv->Qn, inv->Qs, q0 ? inv->Qc : NULL};
+    double moment[M][M], D0[S][3];
     for (int g = 0; g < inv->stations; g++) {
         inv->xi[g] = gauss[g][0];
         inv->wx[g] = gauss[g][1] * inv->length;
         shape(gauss[g][0], inv->length, inv->N + V * g, inv->Nx + V * g);
     }
-    section_law(inv, rule, mean, law);
-    mass_matrix(inv, rule, density);
+    inv->step_n = q0 ? NN * NN : 0;
+    inv->step_s = q0 ? NS * NS : 0;
+    inv->step_c = q0 ? NN * NS : 0;
+    if (!q0) {
+        section_law(&first, station, law, NULL, moment);
+        mass_matrix(inv, moment);
+        return;
+    }
+    clear(inv->mass, V * V);
+    for (int g = 0; g < inv->stations; g++) {
+        const struct blocks to = {first.Qn + inv->step_n * g, first.Qs + inv->step_s * g,
+                                  first.Qc + inv->step_c * g};
+        vectors_at(inv->N + V * g, inv->Nx + V * g, q0, D0);
+        section_law(&to, station + (sections > 1 ? g : 0), law, (const double(*)[3])D0, moment);
+        add_mass(inv, g, moment);
+    }
 }
 """
 
 STRAIN = """\
-/* E = sym(G0' H + H' H / 2), G0 the reference gradient, H = du/dX: written with G0 + H/2. */
-static void strain(const double *N, const double *Nx, const double (*phi)[3], const double *q0,
+/* E = sym(F0' H + H' H/2), F0 the reference gradient, H = du/dX: written with F0 + H/2. */
+static void strain(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
                    const double *u, double *E)
 {
-    double G[3][3] = {{0}}, H[3][3] = {{0}};
-    for (int v = 0; v < V; v++) {
-        const double *p = phi[mode[v]];
-        const double gradient[3] = {Nx[v] * p[0], N[v] * p[1], N[v] * p[2]};
-        for (int b = 0; b < 3; b++)
-            for (int a = 0; a < 3; a++) {
-                /* the first node's position drops out: sum_v gradient_v = 0 over positions */
-                const double origin = position[v] ? 1.0 : 0.0;
-                const double du = u[3 * v + a] - origin * u[a];
-                G[b][a] += gradient[b] * (q0[3 * v + a] - origin * q0[a] + 0.5 * du);
-                H[b][a] += gradient[b] * du;
-            }
-    }
     static const int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+    double D0[S][3], U[S][3], g[3][S], F[3][3] = {{0}}, H[3][3] = {{0}};
+    vectors_at(N, Nx, q0, D0);
+    vectors_at(N, Nx, u, U);
+    gradient_rows(phi, (const double(*)[3])D0, g);
+    for (int b = 0; b < 3; b++)
+        for (int i = 0; i < S; i++)
+            for (int a = 0; a < 3; a++) {
+                F[b][a] += g[b][i] * (D0[i][a] + 0.5 * U[i][a]);
+                H[b][a] += g[b][i] * U[i][a];
+            }
     for (int i = 0; i < 6; i++) {
         const int b = voigt[i][0], c = voigt[i][1];
-        E[i] = 0.0;
-        for (int a = 0; a < 3; a++)
-            E[i] += b == c ? G[b][a] * H[b][a] : G[b][a] * H[c][a] + H[b][a] * G[c][a];
+        E[i] = i < 3 ? product(F[b], H[b]) : product(F[b], H[c]) + product(H[b], F[c]);
     }
 }
 """

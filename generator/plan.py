@@ -19,8 +19,8 @@ from .ir import Counter, Do, For, Function, If, Let, Note, loop
 
 @dataclass(frozen=True)
 class Plan:
-    """The functions of a contraction, callees first, and the operations of one call of each, per
-    lane, at the element's own number of stations."""
+    """The functions of a contraction, callees first, and the operations of one call of each "_part"
+    of it, per lane, at the element's own number of stations, straight and prismatic."""
 
     functions: tuple
     operations: dict
@@ -29,18 +29,19 @@ class Plan:
 def build(element):
     """The plan of an Element."""
     vectors = element.declaration.vectors
-    names = {**element.sizes, "inv_stations": element.stations,
+    names = {**element.sizes, "inv_stations": element.stations, "Qc": 0,  # straight and prismatic
              "mode": [v.mode for v in vectors], "position": [int(v.is_position) for v in vectors]}
     loops = functions()
     counter = Counter(loops, names)
-    return Plan(loops, {f.name: counter.count(f.name) for f in loops})
+    whole = [f.name for f in loops if f.name.endswith("_part")]
+    return Plan(loops, {name: counter.count(name) for name in whole})
 
 
 def functions():
     """The loop nests, the same for every element: sizes and tables make the difference."""
     return (_section_vectors(), _dot(), _differences(), _stress(), _section_force(), _gather(),
-            _polar(), _force_part(), _energy_part(), _trilinear_part(), _section_stiffness(),
-            _expand(), _tangent_part())
+            _polar(), _force_part(), _energy_part(), _trilinear_part(), _coupled_column(),
+            _section_stiffness(), _expand(), _tangent_part())
 
 
 INVARIANTS = "const struct hobe_invariants *inv"
@@ -115,11 +116,16 @@ def _stress():
             loop("c", size, loop("r", size, Do(f"{sigma}[r] += {q}[c * {size} + r] * {s}[c];"))),
         )
 
+    coupling = loop("r", "NN", loop(
+        "c", "NS",
+        Do("tn[r] += Qc[r * NS + c] * s[c];"),
+        Do("ts[c] += Qc[r * NS + c] * n[r];")))
     return Function(
         "stress",
-        (*numbers("Qn", "Qs"), *given("n", "s"), *filled("tn", "ts")),
+        (*numbers("Qn", "Qs", "Qc"), *given("n", "s"), *filled("tn", "ts")),
         "sigma = Q s, the stress resultants conjugate to the Gram differences",
-        (*product("NN", "Qn", "n", "tn"), *product("NS", "Qs", "s", "ts")))
+        (*product("NN", "Qn", "n", "tn"), *product("NS", "Qs", "s", "ts"),
+         If("Qc", (coupling,))))
 
 
 def _section_force():
@@ -155,6 +161,7 @@ def _gather():
 STATION = (
     Do("const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;", free=True),
     Do("const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;", free=True),
+    Do("const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;", free=True),
 )
 
 STATE = (
@@ -162,7 +169,7 @@ STATE = (
     Do("section_vectors(N, Nx, x, U);"),
     loop("i", "3 * S", Do("B[i] += 0.5 * U[i];")),
     Do("differences(B, U, n, s);"),
-    Do("stress(Qn, Qs, n, s, tn, ts);"),
+    Do("stress(Qn, Qs, Qc, n, s, tn, ts);"),
 )
 
 CURRENT = Note("D = D0 + U"), loop("i", "3 * S", Do("B[i] += 0.5 * U[i];"))
@@ -249,7 +256,7 @@ def _trilinear_part():
             loop("g", "inv->stations", *STATION,
                  Do("polar(N, Nx, x0, x, B, U);"),
                  Do("differences(B, U, n, s);"),
-                 Do("stress(Qn, Qs, n, s, tn, ts);"),
+                 Do("stress(Qn, Qs, Qc, n, s, tn, ts);"),
                  Do("section_vectors(N, Nx, xa, B);"),
                  Do("section_force(tn, ts, B, U);"), _hand_back("U")),
         ))
@@ -274,6 +281,24 @@ def _column():
     )
 
 
+def _coupled_column():
+    def add(row, column, target, first, last):
+        """target_r += sum_L Qc_(row, column) D_L; one of row and column is r."""
+        return loop("r", "NN" if target == "Tn" else "NS", For("l", first, last, (
+            _axis3(f"{target}[3 * r + a] += Qc[({row}) * NS + {column}] * D[3 * l + a];"),)))
+
+    return Function(
+        "coupled_column",
+        (*numbers("Qc"), "int j", *given("D"), *filled("Tn", "Ts")),
+        "Adds to T_r = sum_L Q_r(JL) D_L what couples the normal and the shear block",
+        (
+            If("j < M", (add("r", "j * (M - 1) + l - M", "Tn", "M", "S"),
+                         add("symmetric(j, l)", "r", "Ts", "0", "M"))),
+            If("j >= M", (add("r", "l * (M - 1) + j - M", "Tn", "0", "M"),
+                          add("NA + symmetric(j - M, l - M)", "r", "Ts", "M", "S"))),
+        ))
+
+
 def _section_stiffness():
     def block(first, last, entry):
         return For("l", first, last, (
@@ -291,7 +316,7 @@ def _section_stiffness():
                free=True)
     return Function(
         "section_stiffness",
-        (*numbers("Qn", "Qs"), *given("tn", "ts", "D"), *filled("C", "T")),
+        (*numbers("Qn", "Qs", "Qc"), *given("tn", "ts", "D"), *filled("C", "T")),
         "C_IJ = d2W/dD_I dD_J = sum_K D_K T_(IK)^T + sigma_IJ 1, all S x S blocks, by columns:\n"
         " * T_r = sum_L Q_r(JL) D_L is the change of every stress resultant with D_J",
         (
@@ -299,6 +324,7 @@ def _section_stiffness():
             loop(
                 "j", "S",
                 *_column(),
+                If("Qc", (Do("coupled_column(Qc, j, D, Tn, Ts);"),)),
                 For("i", "j", "S", (
                     zero9,
                     Do("hobe_real t = zero;", free=True),
@@ -353,7 +379,7 @@ def _tangent_part():
             CLEAR_FORCE,
             loop("i", "9 * V * (V + 1) / 2", Do("K[i * HOBE_PARTS] = zero;")),
             loop("g", "inv->stations", *STATION, *STATE, *CURRENT,
-                 Do("section_stiffness(Qn, Qs, tn, ts, B, C, C + 9 * S * S);"),
+                 Do("section_stiffness(Qn, Qs, Qc, tn, ts, B, C, C + 9 * S * S);"),
                  Do("expand(N, Nx, inv->wx[g], C, K);"),
                  Do("section_force(tn, ts, B, U);"), _hand_back("U")),
         ))

@@ -9,7 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PAPER_STATIONS = 3 };
+/* Where shape or section vary along an element its energy is no polynomial of xi, and takes a few
+ * stations more than one that is straight and prismatic. */
+enum { PAPER_STATIONS = 3, MORE_STATIONS = 2, MOST_STATIONS = 32 };
 
 /* Relative to what is already spanned, in the square: a section function closer to the earlier
  * modes than this is not a new one.  w of a circle is 0; of a rectangle never less than 1e-3. */
@@ -24,7 +26,8 @@ struct hobe_element {
     const hobe_section *section;
     enum hobe_mechanics mechanics;
     struct hobe_invariants invariants;
-    double *numbers; /* all arrays of the invariants in one block */
+    double *numbers; /* all arrays of the invariants, and q0, in one block */
+    double *q0; /* [V][3] where curved, pretwisted or tapered, NULL where straight, prismatic */
     struct hobe_rest rest;
     unsigned char dropped[HOBE_MAX_MODES];
 };
@@ -64,38 +67,62 @@ int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int
 
 /* ---- preparation ---------------------------------------------------------------------------- */
 
-/* Lays the arrays of inv out in one block. */
-static enum hobe_status allocate(hobe_element *element, struct hobe_error *err)
+/* Lays the arrays of inv out in one block: one block of Q, or one for each station with a coupling
+ * block and a reference of its own. */
+static enum hobe_status allocate(hobe_element *element, int varies, struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
     struct hobe_invariants *inv = &element->invariants;
-    const size_t G = (size_t)inv->stations, V = (size_t)k->vectors;
+    const size_t G = (size_t)inv->stations, V = (size_t)k->vectors, B = varies ? G : 1;
     const size_t NN = (size_t)k->normals, NS = (size_t)k->shears;
-    const size_t sizes[] = {G, G, G * V, G * V, NN * NN, NS * NS, V * V};
-    double **const arrays[] = {&inv->xi, &inv->wx, &inv->N,   &inv->Nx,
-                               &inv->Qn, &inv->Qs, &inv->mass};
+    const struct {
+        size_t size;
+        double **array;
+    } parts[] = {
+        {G, &inv->xi},
+        {G, &inv->wx},
+        {G * V, &inv->N},
+        {G * V, &inv->Nx},
+        {B * NN * NN, &inv->Qn},
+        {B * NS * NS, &inv->Qs},
+        {V * V, &inv->mass},
+        {varies ? B * NN * NS : 0, &inv->Qc},
+        {varies ? 3 * V : 0, &element->q0},
+    };
+    const size_t count = sizeof parts / sizeof *parts;
     size_t total = 0;
-    for (int i = 0; i < 7; i++)
-        total += sizes[i];
+    for (size_t i = 0; i < count; i++)
+        total += parts[i].size;
     element->numbers = hobe_alloc(total, sizeof(double), err);
     if (!element->numbers)
         return HOBE_NO_MEMORY;
     double *next = element->numbers;
-    for (int i = 0; i < 7; i++) {
-        *arrays[i] = next;
-        next += sizes[i];
+    for (size_t i = 0; i < count; i++) {
+        *parts[i].array = parts[i].size ? next : NULL;
+        next += parts[i].size;
     }
     return HOBE_OK;
 }
 
+/* The section's place at xi of the element. */
+static struct hobe_section_place place_at(const struct hobe_element_options *options, double xi)
+{
+    const double part = options->to > options->from ? options->to - options->from : 1;
+    return (struct hobe_section_place){options->from + xi * part, options->length / part};
+}
+
 /* G_kl = int phi_k phi_l dA, its lower triangle. */
-static enum hobe_status gram(const hobe_element *element, enum hobe_integration integration,
+static enum hobe_status gram(const hobe_element *element,
+                             const struct hobe_element_options *options,
+                             enum hobe_integration integration,
                              double G[HOBE_MAX_MODES][HOBE_MAX_MODES], struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
     struct hobe_rule rule;
-    double phi[HOBE_MAX_MODES][3];
-    const enum hobe_status status = hobe_section_rule(element->section, k, integration, &rule, err);
+    double phi[HOBE_MAX_MODES][4];
+    const struct hobe_section_place middle = place_at(options, 0.5);
+    const enum hobe_status status =
+        hobe_section_rule(element->section, k, integration, &middle, &rule, err);
     if (status)
         return status;
     for (int p = 0; p < rule.rule.points; p++) {
@@ -112,17 +139,18 @@ static enum hobe_status gram(const hobe_element *element, enum hobe_integration 
 /* Marks modes beyond 1, y, z that vanish or depend on earlier ones, by Gram-Schmidt (Cholesky
  * factor of G in place).  The paper's few points make modes dependent that are not, and are asked
  * only whether its own w vanishes. */
-static enum hobe_status find_dropped(hobe_element *element, enum hobe_integration integration,
+static enum hobe_status find_dropped(hobe_element *element,
+                                     const struct hobe_element_options *options,
                                      struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
-    const int paper = integration == HOBE_INTEGRATION_PAPER;
+    const int paper = options->integration == HOBE_INTEGRATION_PAPER;
     double G[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}}, used[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}};
     if (k->functions == 0)
         return HOBE_OK; /* monomials are independent on any section */
-    enum hobe_status status = gram(element, HOBE_INTEGRATION_EXACT, G, err);
+    enum hobe_status status = gram(element, options, HOBE_INTEGRATION_EXACT, G, err);
     if (!status && paper)
-        status = gram(element, integration, used, err);
+        status = gram(element, options, HOBE_INTEGRATION_PAPER, used, err);
     if (status)
         return status;
     for (int i = 0; i < k->modes; i++) {
@@ -140,38 +168,82 @@ static enum hobe_status find_dropped(hobe_element *element, enum hobe_integratio
     return HOBE_OK;
 }
 
+/* The rules of one station. */
+struct rules {
+    struct hobe_rule section, axis;
+};
+
+static enum hobe_status set_station(const hobe_element *element,
+                                    const struct hobe_element_options *options, double xi,
+                                    struct rules *rules, struct hobe_station *station,
+                                    struct hobe_error *err)
+{
+    const int on_axis = element->mechanics == HOBE_MECHANICS_AXIS;
+    const struct hobe_section_place place = place_at(options, xi);
+    enum hobe_status status = hobe_section_rule(options->section, element->kernel,
+                                                options->integration, &place, &rules->section, err);
+    if (!status)
+        status = hobe_axis_rule(options->section, element->kernel, options->integration, &place,
+                                &rules->axis, err);
+    *station = (struct hobe_station){
+        rules->section.rule, on_axis ? rules->axis.rule : rules->section.rule, rules->section.rule};
+    return status;
+}
+
+/* The reference of an element that varies: the given one, or a straight one along X. */
+static void set_reference(hobe_element *element, const double *q0)
+{
+    static const double identity[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (q0)
+        memcpy(element->q0, q0, 3 * (size_t)element->kernel->vectors * sizeof *q0);
+    else if (element->q0)
+        hobe_element_reference(element, identity, element->q0);
+}
+
+static enum hobe_status integrate(hobe_element *element, const struct hobe_element_options *options,
+                                  const double (*gauss)[2], struct hobe_error *err)
+{
+    struct hobe_invariants *inv = &element->invariants;
+    struct rules rules[MOST_STATIONS] = {0};
+    struct hobe_station station[MOST_STATIONS];
+    struct hobe_elasticity point;
+    struct hobe_law law = {1, &point, &options->material.rho, {{{0}}, {0}}};
+    const int sections = hobe_section_varies(options->section) ? inv->stations : 1;
+    enum hobe_status status = HOBE_OK;
+    for (int g = 0; !status && g < sections; g++)
+        status = set_station(element, options, gauss[g][0], rules + g, station + g, err);
+    if (!status) {
+        hobe_material_law(&options->material, element->mechanics, &point, &law.mean);
+        element->kernel->invariants(inv, gauss, sections, station, &law, element->q0);
+    }
+    for (int g = 0; g < sections; g++) {
+        hobe_rule_free(&rules[g].section);
+        hobe_rule_free(&rules[g].axis);
+    }
+    return status;
+}
+
 static enum hobe_status fill_invariants(hobe_element *element,
                                         const struct hobe_element_options *options,
                                         struct hobe_error *err)
 {
     const int paper = options->integration == HOBE_INTEGRATION_PAPER;
+    const int varies = options->q0 || hobe_section_varies(options->section);
     struct hobe_invariants *inv = &element->invariants;
-    struct hobe_elasticity law;
-    struct hobe_rule rule = {0}, axis = {0};
-    double gauss[32][2];
+    double gauss[MOST_STATIONS][2];
     inv->length = options->length;
-    inv->stations = paper ? PAPER_STATIONS : element->kernel->stations;
-    if (inv->stations > 32)
-        return hobe_fail(err, HOBE_BAD_INPUT, NULL, "element %s needs %d > 32 axial points",
-                         element->kernel->name, inv->stations);
-    enum hobe_status status = allocate(element, err);
+    inv->stations =
+        paper ? PAPER_STATIONS : element->kernel->stations + (varies ? MORE_STATIONS : 0);
+    if (inv->stations > MOST_STATIONS)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL, "element %s needs %d > %d axial points",
+                         element->kernel->name, inv->stations, MOST_STATIONS);
+    enum hobe_status status = allocate(element, varies, err);
     if (!status)
         status = hobe_gauss(inv->stations, gauss, err);
-    if (!status)
-        status =
-            hobe_section_rule(options->section, element->kernel, options->integration, &rule, err);
-    if (!status)
-        status =
-            hobe_axis_rule(options->section, element->kernel, options->integration, &axis, err);
-    if (!status) {
-        const int on_axis = element->mechanics == HOBE_MECHANICS_AXIS;
-        hobe_material_law(&options->material, element->mechanics, &law);
-        element->kernel->invariants(inv, (const double(*)[2])gauss, &rule.rule,
-                                    on_axis ? &axis.rule : &rule.rule, &law, options->material.rho);
-    }
-    hobe_rule_free(&rule);
-    hobe_rule_free(&axis);
-    return status;
+    if (status)
+        return status;
+    set_reference(element, options->q0);
+    return integrate(element, options, (const double(*)[2])gauss, err);
 }
 
 /* ---- the check at rest ---------------------------------------------------------------------- */
@@ -187,7 +259,10 @@ static enum hobe_status rest_eigenvalues(hobe_element *element, int *count, doub
     double *K = hobe_alloc((size_t)(n * n), sizeof *K, err);
     enum hobe_status status = q && K ? HOBE_OK : HOBE_NO_MEMORY;
     if (!status) {
-        hobe_element_reference(element, identity, q);
+        if (element->q0)
+            memcpy(q, element->q0, (size_t)n * sizeof *q);
+        else
+            hobe_element_reference(element, identity, q);
         status = hobe_element_tangent(element, q, q, K, err);
     }
     if (!status) {
@@ -251,8 +326,8 @@ static enum hobe_status check_rest(hobe_element *element, struct hobe_error *err
 }
 
 /* The check depends on the element's proportions alone, and the softest modes of a long element
- * drown in round-off, so that it is made on one at most 20 heights long: the same section law with
- * its axial part done again. */
+ * drown in round-off, so that a straight and prismatic one is checked at most 20 heights long: the
+ * same section law with its axial part done again. */
 static enum hobe_status check_at_rest(hobe_element *element, struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
@@ -260,7 +335,7 @@ static enum hobe_status check_at_rest(hobe_element *element, struct hobe_error *
     hobe_section_properties(element->section, &p);
     const double longest = 20 * fmax(p.width, p.height),
                  scale = longest / element->invariants.length;
-    if (scale >= 1)
+    if (scale >= 1 || element->q0)
         return check_rest(element, err);
     hobe_element shorter = *element;
     struct hobe_invariants *inv = &shorter.invariants;
@@ -305,8 +380,8 @@ hobe_element *hobe_element_new(const struct hobe_element_options *options, struc
     element->section = options->section;
     element->mechanics =
         options->mechanics ? options->mechanics : hobe_mechanics_find(options->kernel->mechanics);
-    if (fill_invariants(element, options, err) ||
-        find_dropped(element, options->integration, err) || check_at_rest(element, err)) {
+    if (fill_invariants(element, options, err) || find_dropped(element, options, err) ||
+        check_at_rest(element, err)) {
         hobe_element_free(element);
         return NULL;
     }
@@ -323,6 +398,11 @@ void hobe_element_free(hobe_element *element)
 const struct hobe_kernel *hobe_element_kernel(const hobe_element *element)
 {
     return element->kernel;
+}
+
+const double *hobe_element_q0(const hobe_element *element)
+{
+    return element->q0;
 }
 
 const struct hobe_invariants *hobe_element_invariants(const hobe_element *element)

@@ -139,6 +139,10 @@ struct hobe_element_options {
     double length; /* m, > 0 */
     enum hobe_mechanics mechanics;
     enum hobe_integration integration;
+    double from, to;  /* the element's part of its beam, fractions of the beam's length, which
+                         sections  that vary along it want to know; 0, 0: all of it */
+    const double *q0; /* reference nodal vectors [vectors][3] where curved or pretwisted, copied;
+                         NULL: straight */
 };
 
 /* NULL and err set on bad values (HOBE_BAD_INPUT) or a law that is indefinite at rest
@@ -149,6 +153,11 @@ void hobe_element_free(hobe_element *element);
 const struct hobe_kernel *hobe_element_kernel(const hobe_element *element);
 const struct hobe_invariants *hobe_element_invariants(const hobe_element *element);
 enum hobe_mechanics hobe_element_mechanics(const hobe_element *element);
+
+/* Reference nodal vectors [vectors][3] where the element is curved, pretwisted or tapered (a
+ * tapered straight one along X, its first node at the origin); NULL where it is straight and
+ * prismatic. Owned by the element. */
+const double *hobe_element_q0(const hobe_element *element);
 
 /* How the stiffness at rest stands: what the check in hobe_element_new saw. */
 struct hobe_rest {
@@ -161,8 +170,8 @@ void hobe_element_rest(const hobe_element *element, struct hobe_rest *rest);
  * dropped[kernel->modes], 1 where so. */
 const unsigned char *hobe_element_dropped(const hobe_element *element);
 
-/* Reference nodal vectors with the first node at the origin: q0[vectors][3], for axes
- * frame[3] = e_x, e_y, e_z (rows). */
+/* Reference nodal vectors of a straight element with the first node at the origin: q0[vectors][3],
+ * for axes frame[3] = e_x, e_y, e_z (rows). */
 void hobe_element_reference(const hobe_element *element, const double frame[3][3], double *q0);
 
 /* One element's quantities at absolute nodal vectors q[vectors][3]; q0 of the same shape.

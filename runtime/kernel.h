@@ -17,7 +17,8 @@
  * whose matrix holds every integral over the section (the H-tensor integrals of Tang, Tian & Hu
  * 2022, eqs. 27-28, factored into axis and section).  The Gram entries split into a *normal* block
  * (prime-prime and value-value pairs: eps_xx, eps_yy, eps_zz, 2 eps_yz) and a *shear* block
- * (prime-value pairs: 2 eps_xy, 2 eps_xz), which an isotropic law does not couple.
+ * (prime-value pairs: 2 eps_xy, 2 eps_xz), which an isotropic law does not couple where the beam is
+ * straight and its section the same all along.  Taper, curvature and pretwist couple them.
  *
  * Differences are formed from displacements u = q - q0, not from positions, so that a small strain
  * keeps its digits and a beam far from the origin loses none.
@@ -33,7 +34,7 @@
 #include <stddef.h>
 
 /* Raised whenever anything below changes its meaning; generated files check it. */
-#define HOBE_KERNEL_ABI 1
+#define HOBE_KERNEL_ABI 2
 
 enum {
     HOBE_LANES = 8,         /* elements in a batch */
@@ -53,9 +54,12 @@ static inline int hobe_pair(int i, int j)
 
 /* One point of a section rule. */
 struct hobe_section_point {
-    double y, z;                     /* m, from the centroid */
-    double weight;                   /* m^2 */
-    double f[HOBE_MAX_FUNCTIONS][3]; /* section functions the element names: f, df/dy, df/dz */
+    double y, z;   /* m, from the centroid */
+    double weight; /* m^2 */
+    int region;    /* which of the section's materials is here */
+    /* Section functions the element names: f, df/dy, df/dz, and df/dx at fixed y, z where the
+     * section varies along the beam (else 0). */
+    double f[HOBE_MAX_FUNCTIONS][4];
 };
 
 /* A cubature rule over a section: integral of g dA = sum of weight * g(point). */
@@ -68,17 +72,30 @@ struct hobe_section_rule {
  *
  *     W = 1/2 int eps:C:eps dA  +  1/2 A  mean(eps):C_mean:mean(eps),
  *
- * where mean() is the weighted mean over a second rule: the whole section (mechanics `average`),
- * or the axis alone (mechanics `axis`, the paper's selective integration).
- * Normal order xx, yy, zz; shear order yz, xz, xy, conjugate to engineering strains 2 eps.  Pa. */
+ * where C is that of the region of the section, and mean() the weighted mean over a rule of its
+ * own: the whole section (mechanics `average`), or the axis alone (mechanics `axis`, the paper's
+ * selective integration).  Normal order xx, yy, zz; shear order yz, xz, xy, conjugate to
+ * engineering strains 2 eps.  Pa.  Strains are on the axes of the section in the reference: e_x
+ * along the axis, e_y and e_z as near to r_y and r_z as can be. */
 struct hobe_elasticity {
-    double normal[3][3], shear[3];           /* C:      acts at each point */
-    double mean_normal[3][3], mean_shear[3]; /* C_mean: acts on the mean strain, with area A */
+    double normal[3][3], shear[3];
+};
+struct hobe_law {
+    int regions;
+    const struct hobe_elasticity *region; /* [regions] C, acts at each point */
+    const double *density;                /* [regions] kg/m^3 */
+    struct hobe_elasticity mean;          /* C_mean, acts on the mean strain, with area A */
+};
+
+/* The section at a station of the axis. */
+struct hobe_station {
+    struct hobe_section_rule rule;                    /* integrates over the section */
+    struct hobe_section_rule mean_normal, mean_shear; /* mean the strains of the mean law */
 };
 
 /* All integrals of an element's energy that do not depend on its state.  The arrays belong to the
  * caller; `hobe_kernel.invariants` fills them.  One set serves every element of equal length,
- * section, material and mechanics. */
+ * section, material, mechanics and shape. */
 struct hobe_invariants {
     double length; /* m */
     int stations;  /* axial integration points */
@@ -86,10 +103,11 @@ struct hobe_invariants {
     double *wx;    /* [stations]             their weights times length, m */
     double *N;     /* [stations][vectors]    axial functions N_v */
     double *Nx;    /* [stations][vectors]    dN_v/dx, 1/m */
-    double *Qn;    /* [..][normals][normals] dW = 1/2 s'Q s, normal block; 1 or `stations` blocks */
-    double *Qs;    /* [..][shears][shears]   shear block */
-    ptrdiff_t step_n, step_s; /* from a station's block to the next: 0 for a prismatic element */
-    double *mass;             /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
+    double *Qn;    /* [blocks][normals][normals] dW = 1/2 s'Q s, normal block */
+    double *Qs;    /* [blocks][shears][shears]   shear block */
+    double *Qc;    /* [blocks][normals][shears]  what couples them; NULL where nothing does */
+    ptrdiff_t step_n, step_s, step_c; /* from a station's block to the next; 0 where all are one */
+    double *mass; /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
 };
 
 /* What a nodal vector is: the node it sits on, the mode it multiplies, and whether it is the value
@@ -121,17 +139,20 @@ struct hobe_kernel {
      * N[vectors], Nx[vectors] (1/m). */
     void (*shape)(double xi, double length, double *N, double *Nx);
 
-    /* Section modes at (y, z): phi[modes][3] = phi, d phi/dy, d phi/dz.  f as in
+    /* Section modes at (y, z): phi[modes][4] = phi, d phi/dy, d phi/dz, d phi/dx.  f as in
      * hobe_section_point, only read where the element names section functions. */
-    void (*section_modes)(double y, double z, const double (*f)[3], double (*phi)[3]);
+    void (*section_modes)(double y, double z, const double (*f)[4], double (*phi)[4]);
 
-    /* Fills inv (arrays owned by the caller, sizes as above) from a section rule, the rule that
-     * means the strain, and the elastic law; density in kg/m^3.  inv->length and inv->stations
-     * are set by the caller; gauss[stations][2] holds positions and weights on [0,1].  The mass
-     * matrix is integrated exactly whatever the rule on the axis. */
-    void (*invariants)(struct hobe_invariants *inv, const double (*gauss)[2],
-                       const struct hobe_section_rule *rule, const struct hobe_section_rule *mean,
-                       const struct hobe_elasticity *law, double density);
+    /* Fills inv (arrays owned by the caller, sizes as above) from the law and `sections` of the
+     * axis: 1 for all stations, or one for each.  inv->length and inv->stations are set by the
+     * caller; gauss[stations][2] holds positions and weights on [0,1].
+     * q0: reference nodal vectors [vectors][3] of a curved, pretwisted or tapered element, whose
+     * strains are taken through J0 = dr0/d(x,y,z) (eq. 22); inv then has a block for each station,
+     * with Qc, and the mass matrix is summed over the stations.  NULL: straight and prismatic; inv
+     * has one block and no Qc, and the mass matrix is exact whatever the rule on the axis. */
+    void (*invariants)(struct hobe_invariants *inv, const double (*gauss)[2], int sections,
+                       const struct hobe_station *station, const struct hobe_law *law,
+                       const double *q0);
 
     /* Strain energy of a batch, J.  q0: reference nodal vectors, u: displacements from it, both
      * [vectors][3][HOBE_LANES]; U[HOBE_LANES].  Only differences of the centreline's positions
@@ -155,9 +176,10 @@ struct hobe_kernel {
     void (*trilinear)(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
                       const hobe_lanes *c, hobe_lanes *f, hobe_lanes *scratch);
 
-    /* Green-Lagrange strain at a point of one element, from N, Nx of `shape` and phi of
-     * `section_modes`; q0, u: [vectors][3].  E in Voigt order xx, yy, zz, 2yz, 2xz, 2xy. */
-    void (*strain)(const double *N, const double *Nx, const double (*phi)[3], const double *q0,
+    /* Green-Lagrange strain at a point of one element on the section's axes there, from N, Nx of
+     * `shape` and phi of `section_modes`; q0, u: [vectors][3].
+     * E in Voigt order xx, yy, zz, 2yz, 2xz, 2xy. */
+    void (*strain)(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
                    const double *u, double *E);
 };
 

@@ -208,7 +208,7 @@ static int get_field(lua_State *L)
 static int kernel(lua_State *L)
 {
     static const double frame[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    struct options read;
+    struct options read = {0};
     struct hobe_error err;
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &schema, &read);
@@ -228,7 +228,10 @@ static int kernel(lua_State *L)
     hobe_lua_resume_clock();
     if (!e->element)
         hobe_lua_raise(L, &err);
-    hobe_element_reference(e->element, frame, e->q0);
+    if (hobe_element_q0(e->element))
+        memcpy(e->q0, hobe_element_q0(e->element), (size_t)n * sizeof *e->q0);
+    else
+        hobe_element_reference(e->element, frame, e->q0);
     return 1;
 }
 

@@ -38,18 +38,19 @@ enum hobe_status hobe_material_check(const struct hobe_material *m, struct hobe_
 }
 
 void hobe_material_law(const struct hobe_material *m, enum hobe_mechanics mechanics,
-                       struct hobe_elasticity *law)
+                       struct hobe_elasticity *point, struct hobe_elasticity *mean)
 {
     const double G = m->E / (2 * (1 + m->nu));
     const double lambda = m->E * m->nu / ((1 + m->nu) * (1 - 2 * m->nu));
     const int full = mechanics == HOBE_MECHANICS_FULL;
-    *law = (struct hobe_elasticity){.shear = {G, m->k2 * G, m->k3 * G}};
+    *point = (struct hobe_elasticity){.shear = {G, m->k2 * G, m->k3 * G}};
+    *mean = (struct hobe_elasticity){0};
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++) {
             /* eqs. 19 and 20: E = E0 + Enu, lambda + 2G = E + 2 lambda nu on the diagonal */
             const double E0 = a == b ? m->E : 0;
             const double Enu = a == b ? 2 * lambda * m->nu : lambda;
-            law->normal[a][b] = full ? E0 + Enu : E0;
-            law->mean_normal[a][b] = full ? 0 : Enu;
+            point->normal[a][b] = full ? E0 + Enu : E0;
+            mean->normal[a][b] = full ? 0 : Enu;
         }
 }

@@ -11,7 +11,7 @@
 /* One element's vectors around a point. */
 struct around {
     const struct hobe_kernel *kernel;
-    double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS], phi[HOBE_MAX_MODES][3];
+    double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS], phi[HOBE_MAX_MODES][4];
     double u[3 * HOBE_MAX_VECTORS];
 };
 
@@ -29,14 +29,14 @@ static void look_around(const hobe_model *model, const double *u, struct place p
 static enum hobe_status set_modes(const struct beam *beam, double y, double z, struct around *p,
                                   struct hobe_error *err)
 {
-    double f[HOBE_MAX_FUNCTIONS][3];
+    double f[HOBE_MAX_FUNCTIONS][4] = {{0}};
     for (int i = 0; i < p->kernel->functions; i++) {
         const enum hobe_status status =
             hobe_section_function(beam->spec.section, p->kernel->function[i], y, z, f[i], err);
         if (status)
             return status;
     }
-    p->kernel->section_modes(y, z, (const double(*)[3])f, p->phi);
+    p->kernel->section_modes(y, z, (const double(*)[4])f, p->phi);
     return HOBE_OK;
 }
 
@@ -81,7 +81,7 @@ double solution_smallest_volume(const hobe_model *model, const double *u)
         const struct beam *beam = model_beam(model, i);
         const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
         const struct hobe_section *s = beam->spec.section;
-        double phi[HOBE_PROBES][HOBE_MAX_MODES][3];
+        double phi[HOBE_PROBES][HOBE_MAX_MODES][4];
         struct around p = {.kernel = beam->kernel};
         for (int c = 0; c < s->probes; c++) {
             if (set_modes(beam, s->probe[c][0], s->probe[c][1], &p, NULL))
@@ -200,7 +200,7 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
         return status;
     gradient(&p, beam, point->F);
     field(&p, p.u, point->u, gradient_u);
-    beam->kernel->strain(p.N, p.Nx, (const double(*)[3])p.phi, beam->q0, p.u, point->strain);
+    beam->kernel->strain(p.N, p.Nx, (const double(*)[4])p.phi, beam->q0, p.u, point->strain);
     for (int a = 0; a < 3; a++) {
         point->r0[a] = beam->spec.from[a] + at * beam->length * beam->frame[0][a] +
                        y * beam->frame[1][a] + z * beam->frame[2][a];

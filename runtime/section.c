@@ -55,9 +55,11 @@ static enum hobe_status check_functions(const struct hobe_kernel *kernel, struct
 }
 
 enum hobe_status hobe_section_rule(const hobe_section *section, const struct hobe_kernel *kernel,
-                                   enum hobe_integration integration, struct hobe_rule *rule,
+                                   enum hobe_integration integration,
+                                   const struct hobe_section_place *place, struct hobe_rule *rule,
                                    struct hobe_error *err)
 {
+    (void)place;
     *rule = (struct hobe_rule){0};
     const enum hobe_status status = check_functions(kernel, err);
     return status ? status : section->kind->rule(section, kernel, integration, rule, err);
@@ -66,9 +68,11 @@ enum hobe_status hobe_section_rule(const hobe_section *section, const struct hob
 /* The centroid need not lie in the material; w is then that of the nearest point, or of the branch
  * of the closed form that continues there. */
 enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_kernel *kernel,
-                                enum hobe_integration integration, struct hobe_rule *rule,
+                                enum hobe_integration integration,
+                                const struct hobe_section_place *place, struct hobe_rule *rule,
                                 struct hobe_error *err)
 {
+    (void)place;
     *rule = (struct hobe_rule){0};
     enum hobe_status status = check_functions(kernel, err);
     if (!status)
@@ -80,6 +84,12 @@ enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_k
         section->kind->warping(section, integration == HOBE_INTEGRATION_PAPER, 0, 0,
                                rule->point->f[0]);
     return HOBE_OK;
+}
+
+int hobe_section_varies(const hobe_section *section)
+{
+    (void)section;
+    return 0;
 }
 
 void hobe_section_set_warping(hobe_section *section, const struct hobe_rule *rule)

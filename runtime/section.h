@@ -16,18 +16,30 @@ enum hobe_status hobe_rule_new(struct hobe_rule *rule, size_t points, struct hob
 enum hobe_status hobe_rule_copy(const struct hobe_rule *from, struct hobe_rule *to,
                                 struct hobe_error *err);
 
-/* The rule that integrates the kernel's energy over the section, with the values of the section
- * functions that the kernel names: exact (polynomials to round-off, section functions to about
+/* Where along a beam a section is wanted. */
+struct hobe_section_place {
+    double at;     /* fraction of the beam's length, 0..1 */
+    double length; /* of the beam, m */
+};
+
+/* The rule that integrates the kernel's energy over the section at a place (NULL: at 0; sections
+ * that do not vary along the beam ignore it), with the values of the section functions that the
+ * kernel names: exact (polynomials to round-off, section functions to about
  * 1e-9), or the paper's 3 x 3 Gauss points with its own warping function.
  * HOBE_UNKNOWN when the section lacks a function. */
 enum hobe_status hobe_section_rule(const hobe_section *section, const struct hobe_kernel *kernel,
-                                   enum hobe_integration integration, struct hobe_rule *rule,
+                                   enum hobe_integration integration,
+                                   const struct hobe_section_place *place, struct hobe_rule *rule,
                                    struct hobe_error *err);
 
 /* The rule of one point on the axis, weight A. */
 enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_kernel *kernel,
-                                enum hobe_integration integration, struct hobe_rule *rule,
+                                enum hobe_integration integration,
+                                const struct hobe_section_place *place, struct hobe_rule *rule,
                                 struct hobe_error *err);
+
+/* Whether the section varies along the beam. */
+int hobe_section_varies(const hobe_section *section);
 
 void hobe_rule_free(struct hobe_rule *rule);
 

@@ -129,6 +129,8 @@ def _statement(text):
     lines = []
     for item in _split(text[declared.end():]):
         name, size, value = re.fullmatch(r"\*?(\w+)(?:\[(.*?)\])?(?: = (.*))?", item).groups()
+        if value and (choice := re.fullmatch(r"(.*) \? (.*) : NULL", value)):
+            value = f"{choice[2]} if {choice[1]} else None"  # a pointer that may be missing
         if size and not value:
             value = f"empty({size})"
         elif size:

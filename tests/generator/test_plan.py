@@ -62,7 +62,7 @@ class Small(unittest.TestCase):
 class State:
     """An element with random exact coefficients, as a plan's functions see it."""
 
-    def __init__(self, element, stations, translates=True):
+    def __init__(self, element, stations, translates=True, coupled=False):
         random = Random(1)
         self.element, self.size = element, element.sizes
         self.vectors = element.declaration.vectors
@@ -81,9 +81,10 @@ class State:
             for g in range(stations):
                 self.Nx[g * v + places[0]] -= sum(self.Nx[g * v + i] for i in places)
         self.Qn, self.Qs = self._symmetric(some(normals**2)), self._symmetric(some(shears**2))
-        self.inv = structure(stations=stations, step_n=0, step_s=0, N=Pointer(self.N),
+        self.Qc = some(normals * shears) if coupled else None
+        self.inv = structure(stations=stations, step_n=0, step_s=0, step_c=0, N=Pointer(self.N),
                              Nx=Pointer(self.Nx), wx=Pointer(self.wx), Qn=Pointer(self.Qn),
-                             Qs=Pointer(self.Qs))
+                             Qs=Pointer(self.Qs), Qc=Pointer(self.Qc) if coupled else None)
         self.q0, self.u, self.h = some(3 * v), some(3 * v), some(3 * v)
 
     @staticmethod
@@ -146,10 +147,12 @@ class State:
                 normal = [dot(d[i], d[j]) * (HALF if i == j else 1)
                           for d in (prime, value[1:]) for i in range(len(d)) for j in range(i + 1)]
                 grams.append((normal, [dot(p, d) for p in prime for d in value[1:]]))
-            for reference, now, q in zip(*grams, (self.Qn, self.Qs)):
-                s = [b - a for a, b in zip(reference, now)]
-                total += self.wx[g] * HALF * sum(s[r] * s[c] * q[r * len(s) + c]
-                                                 for r in range(len(s)) for c in range(len(s)))
+            n, s = ([b - a for a, b in zip(*block)] for block in zip(*grams))
+            for left, right, q, factor in ((n, n, self.Qn, HALF), (s, s, self.Qs, HALF),
+                                           (n, s, self.Qc, 1)):
+                total += self.wx[g] * factor * sum(a * b * q[r * len(right) + c] if q else 0
+                                                   for r, a in enumerate(left)
+                                                   for c, b in enumerate(right))
         return total
 
 
@@ -163,16 +166,19 @@ def slope(f):
 
 
 class Exact(Case):
-    """Identities of the plan in rationals: Hermite centreline, section function, two stations."""
+    """Identities of the plan in rationals: Hermite centreline, section function, two stations, of
+    an element whose normal and shear block are coupled, as by curvature."""
+
+    coupled = True
 
     @classmethod
     def setUpClass(cls):
-        cls.state = State(shipped()["BE24w"], stations=2)
+        cls.state = State(shipped()["BE24w"], stations=2, coupled=cls.coupled)
 
     def test_energy(self):
         """Equal to its definition, and formed from relative positions: a translation changes
         nothing even where the axial functions, as if rounded, do not add up."""
-        state = State(self.state.element, stations=2, translates=False)
+        state = State(self.state.element, stations=2, translates=False, coupled=self.coupled)
         self.assertEqual(state.energy(state.u), state.defined_energy(state.u))
         self.assertEqual(state.energy([Fraction(0)] * len(state.u)), 0)
         moved = [x + 1000 * state.position[i // 3] for i, x in enumerate(state.u)]
@@ -207,6 +213,12 @@ class Exact(Case):
         self.assertEqual(state.trilinear(tripled, state.q0, state.h), [3 * x for x in f])
         self.assertEqual(state.trilinear(state.q0, tripled, state.h),
                          [3 * x for x in state.trilinear(state.q0, state.u, state.h)])
+
+
+class Uncoupled(Exact):
+    """The same of an element that is straight and prismatic."""
+
+    coupled = False
 
 
 class Counted(Case):

@@ -148,7 +148,7 @@ void check_shape(const struct fixture *fx)
 /* ---- section modes and strain --------------------------------------------------------------- */
 
 /* Modes by name at a random point of the section, relative to the largest over the section. */
-static void check_modes(const struct fixture *fx, double y, double z, double (*phi)[3])
+static void check_modes(const struct fixture *fx, double y, double z, double (*phi)[4])
 {
     real exact[3 * PW_MODES], error = 0;
     pw_modes(&fx->beam, y, z, exact);
@@ -175,19 +175,19 @@ void check_strain(const struct fixture *fx)
     batch_open(fx, &b);
     batch_random(fx, &b, 0.3L);
     for (int lane = 0; fx->known && lane < HOBE_LANES; lane++) {
-        double f[HOBE_MAX_FUNCTIONS][3], phi[HOBE_MAX_MODES][3], e[6];
+        double f[HOBE_MAX_FUNCTIONS][4], phi[HOBE_MAX_MODES][4], e[6];
         double xi = (double)random_real(0, 1), y = (double)random_real(-0.015L, 0.015L);
         double z = (double)random_real(-0.025L, 0.025L);
         real error = 0, norm = 0;
         test_functions(y, z, f);
         fx->kernel->shape(xi, (double)fx->beam.length, N, N + n);
-        fx->kernel->section_modes(y, z, (const double(*)[3])f, phi);
+        fx->kernel->section_modes(y, z, (const double(*)[4])f, phi);
         check_modes(fx, y, z, phi);
         for (size_t i = 0; i < dofs; i++) {
             q0[i] = b.q0[i][lane];
             u[i] = b.u[i][lane];
         }
-        fx->kernel->strain(N, N + n, (const double(*)[3])phi, q0, u, e);
+        fx->kernel->strain(N, N + n, (const double(*)[4])phi, q0, u, e);
         lane_position(fx, &b, lane, q);
         pw_strain(&fx->beam, q, xi, y, z, E);
         for (int i = 0; i < 6; i++) {

@@ -139,12 +139,12 @@ static void section_moments(const struct fixture *fx, real moment[HOBE_MAX_MODES
 {
     static const real weight[5] = {7 / 90.0L, 32 / 90.0L, 12 / 90.0L, 32 / 90.0L, 7 / 90.0L};
     for (int p = 0; p < 25; p++) {
-        double f[HOBE_MAX_FUNCTIONS][3], phi[HOBE_MAX_MODES][3];
+        double f[HOBE_MAX_FUNCTIONS][4], phi[HOBE_MAX_MODES][4];
         double y = (double)(fx->beam.y + fx->beam.width * (p / 5 - 2) / 4);
         double z = (double)(fx->beam.z + fx->beam.height * (p % 5 - 2) / 4);
         real area = fx->beam.width * fx->beam.height * weight[p / 5] * weight[p % 5];
         test_functions(y, z, f);
-        fx->kernel->section_modes(y, z, (const double(*)[3])f, phi);
+        fx->kernel->section_modes(y, z, (const double(*)[4])f, phi);
         for (int m = 0; m < fx->kernel->modes; m++)
             for (int d = 0; d < 3; d++)
                 moment[m][d] = (p ? moment[m][d] : 0) + area * phi[m][d];
@@ -154,9 +154,9 @@ static void section_moments(const struct fixture *fx, real moment[HOBE_MAX_MODES
 /* The same as a strain meant on the axis takes them: the area times the values there. */
 static void axis_moments(const struct fixture *fx, real moment[HOBE_MAX_MODES][3])
 {
-    double f[HOBE_MAX_FUNCTIONS][3], phi[HOBE_MAX_MODES][3];
+    double f[HOBE_MAX_FUNCTIONS][4], phi[HOBE_MAX_MODES][4];
     test_functions(0, 0, f);
-    fx->kernel->section_modes(0, 0, (const double(*)[3])f, phi);
+    fx->kernel->section_modes(0, 0, (const double(*)[4])f, phi);
     for (int m = 0; m < fx->kernel->modes; m++)
         for (int d = 0; d < 3; d++)
             moment[m][d] = fx->beam.width * fx->beam.height * phi[m][d];

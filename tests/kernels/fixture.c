@@ -88,13 +88,14 @@ static void warping(real y, real z, real w[3])
     test_function(0, y, z, w);
 }
 
-void test_functions(double y, double z, double (*f)[3])
+void test_functions(double y, double z, double (*f)[4])
 {
     for (int i = 0; i < HOBE_MAX_FUNCTIONS; i++) {
         real w[3];
         test_function(i, y, z, w);
         for (int d = 0; d < 3; d++)
             f[i][d] = (double)w[d];
+        f[i][3] = 0;
     }
 }
 
@@ -114,6 +115,7 @@ static void set_section(struct fixture *fx)
         point->y = (double)(fx->beam.y + fx->beam.width * (x[p / n] - 0.5L));
         point->z = (double)(fx->beam.z + fx->beam.height * (x[p % n] - 0.5L));
         point->weight = (double)(fx->beam.width * fx->beam.height * w[p / n] * w[p % n]);
+        point->region = 0;
         test_functions(point->y, point->z, point->f);
     }
     fx->axis = (struct hobe_section_point){.weight = 0.37}; /* a mean: any weight will do */
@@ -129,17 +131,17 @@ static void set_law(struct fixture *fx)
     const double lambda = 2 * G * nu / (1 - 2 * nu);
     const int full = fx->beam.mechanics == PW_FULL, mean = fx->beam.mechanics == PW_MEAN_SHEAR;
     struct hobe_elasticity *law = &fx->law;
-    memset(law, 0, sizeof *law);
+    memset(&fx->mean_law, 0, sizeof fx->mean_law);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double solid = lambda + (i == j ? 2 * G : 0), rod = i == j ? E : 0;
             law->normal[i][j] = full ? solid : rod;
-            law->mean_normal[i][j] = full ? 0 : solid - rod;
+            fx->mean_law.normal[i][j] = full ? 0 : solid - rod;
         }
     const double shear[3] = {G, mean ? G : k2 * G, mean ? G : k3 * G};
     const double mean_shear[3] = {0, mean ? (k2 - 1) * G : 0, mean ? (k3 - 1) * G : 0};
     memcpy(law->shear, shear, sizeof shear);
-    memcpy(law->mean_shear, mean_shear, sizeof mean_shear);
+    memcpy(fx->mean_law.shear, mean_shear, sizeof mean_shear);
 }
 
 void make_invariants(const struct fixture *fx, int stations, int blocks,
@@ -165,7 +167,9 @@ void make_invariants(const struct fixture *fx, int stations, int blocks,
         gauss[s][0] = (double)x[s];
         gauss[s][1] = (double)w[s];
     }
-    k->invariants(inv, (const double(*)[2])gauss, &fx->rule, &fx->mean, &fx->law, fx->density);
+    const struct hobe_station station = {fx->rule, fx->mean, fx->mean};
+    const struct hobe_law law = {1, &fx->law, &fx->density, fx->mean_law};
+    k->invariants(inv, (const double(*)[2])gauss, 1, &station, &law, NULL);
     for (int s = 1; s < blocks; s++) {
         memcpy(inv->Qn + (size_t)s * nn, inv->Qn, nn * sizeof(double));
         memcpy(inv->Qs + (size_t)s * ns, inv->Qs, ns * sizeof(double));
@@ -192,9 +196,9 @@ static void set_sizes(struct fixture *fx)
     const struct hobe_kernel *k = fx->kernel;
     real slope[HOBE_MAX_MODES] = {0};
     for (int p = 0; p < fx->rule.points; p++) {
-        double phi[HOBE_MAX_MODES][3];
+        double phi[HOBE_MAX_MODES][4];
         const struct hobe_section_point *point = &fx->point[p];
-        k->section_modes(point->y, point->z, (const double(*)[3])point->f, phi);
+        k->section_modes(point->y, point->z, (const double(*)[4])point->f, phi);
         for (int m = 0; m < k->modes; m++)
             slope[m] = fmaxl(slope[m], hypotl(phi[m][1], phi[m][2]));
     }

@@ -16,7 +16,7 @@ struct fixture {
     real *size; /* [dofs] of a nodal vector that turns or stretches the section by about 1 */
     struct hobe_section_point *point, axis;
     struct hobe_section_rule rule, mean;
-    struct hobe_elasticity law;
+    struct hobe_elasticity law, mean_law;
     struct hobe_invariants inv;
 };
 
@@ -35,7 +35,7 @@ void make_invariants(const struct fixture *fx, int stations, int blocks,
 void free_invariants(struct hobe_invariants *inv);
 
 /* The section functions of the tests: polynomials of degree three in y and in z. */
-void test_functions(double y, double z, double (*f)[3]);
+void test_functions(double y, double z, double (*f)[4]);
 
 /* "3333w/average lane 3"; lane < 0: no lane.  Overwritten by the next call. */
 const char *where(const struct fixture *fx, int lane);
