@@ -5,21 +5,13 @@
 
 #include <string.h>
 
-/* Elements in the batch that begins with element `first`. */
-static int batch_size(const struct beam *beam, int first)
-{
-    const int left = beam->spec.elements - first;
-    return left < HOBE_LANES ? left : HOBE_LANES;
-}
-
-/* The displacements of `count` elements from `first` on, structure of arrays; spare lanes repeat
- * the last element. */
-static void gather(const struct hobe_model *model, const struct beam *beam, int first, int count,
-                   const double *u)
+/* The displacements of a batch, structure of arrays; spare lanes repeat the last element. */
+static void gather(const struct hobe_model *model, const struct beam *beam,
+                   const struct batch *batch, const double *u)
 {
     hobe_lanes *to = model->work.u;
     for (int lane = 0; lane < HOBE_LANES; lane++) {
-        const int e = first + (lane < count ? lane : count - 1);
+        const int e = batch->first + (lane < batch->count ? lane : batch->count - 1);
         for (int v = 0; v < beam->kernel->vectors; v++) {
             const double *from = u + 3 * model_vector(model, beam, e, v);
             for (int a = 0; a < 3; a++)
@@ -28,12 +20,12 @@ static void gather(const struct hobe_model *model, const struct beam *beam, int 
     }
 }
 
-static void scatter_force(const struct hobe_model *model, const struct beam *beam, int first,
-                          int count, double *f)
+static void scatter_force(const struct hobe_model *model, const struct beam *beam,
+                          const struct batch *batch, double *f)
 {
-    for (int lane = 0; lane < count; lane++)
+    for (int lane = 0; lane < batch->count; lane++)
         for (int v = 0; v < beam->kernel->vectors; v++) {
-            double *to = f + 3 * model_vector(model, beam, first + lane, v);
+            double *to = f + 3 * model_vector(model, beam, batch->first + lane, v);
             for (int a = 0; a < 3; a++)
                 to[a] += model->work.f[3 * v + a][lane];
         }
@@ -64,18 +56,17 @@ void assemble(const struct hobe_model *model, const double *u, double *f, double
         memset(Ax, 0, (size_t)(9 * model->pattern.start[model->unknowns]) * sizeof *Ax);
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
-        const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
-        for (int first = 0; first < beam->spec.elements; first += HOBE_LANES) {
-            const int count = batch_size(beam, first);
-            gather(model, beam, first, count, u);
+        for (int b = 0; b < beam->batches; b++) {
+            const struct batch *batch = beam->batch + b;
+            const struct hobe_invariants *inv = hobe_element_invariants(batch->law);
+            gather(model, beam, batch, u);
             if (Ax)
-                beam->kernel->tangent(inv, beam->q0_lanes, work->u, work->f, work->K,
-                                      work->scratch);
+                beam->kernel->tangent(inv, batch->q0, work->u, work->f, work->K, work->scratch);
             else
-                beam->kernel->force(inv, beam->q0_lanes, work->u, work->f, work->scratch);
-            scatter_force(model, beam, first, count, f);
-            for (int lane = 0; Ax && lane < count; lane++)
-                scatter_tangent(model, beam, first + lane, lane, Ax);
+                beam->kernel->force(inv, batch->q0, work->u, work->f, work->scratch);
+            scatter_force(model, beam, batch, f);
+            for (int lane = 0; Ax && lane < batch->count; lane++)
+                scatter_tangent(model, beam, batch->first + lane, lane, Ax);
         }
     }
 }
@@ -85,12 +76,12 @@ double assemble_energy(const struct hobe_model *model, const double *u)
     double energy = 0;
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
-        const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
-        for (int first = 0; first < beam->spec.elements; first += HOBE_LANES) {
-            const int count = batch_size(beam, first);
-            gather(model, beam, first, count, u);
-            beam->kernel->energy(inv, beam->q0_lanes, model->work.u, model->work.f);
-            for (int lane = 0; lane < count; lane++)
+        for (int b = 0; b < beam->batches; b++) {
+            const struct batch *batch = beam->batch + b;
+            gather(model, beam, batch, u);
+            beam->kernel->energy(hobe_element_invariants(batch->law), batch->q0, model->work.u,
+                                 model->work.f);
+            for (int lane = 0; lane < batch->count; lane++)
                 energy += model->work.f[0][lane];
         }
     }

@@ -39,7 +39,7 @@ void corner_orient(struct corner *corner)
 {
     for (int s = 0; s < 2; s++)
         for (int t = 0; t < 3; t++)
-            corner->C[s][t] = dot3(corner->beam[1]->frame[1 + s], corner->beam[0]->frame[t]);
+            corner->C[s][t] = dot3(corner->frame[1][1 + s], corner->frame[0][t]);
 }
 
 /* The vectors of a corner in state u.  Phi is a difference of nearly equal directions: it is formed
@@ -53,7 +53,7 @@ struct state {
 
 static void read_state(const struct corner *c, const double *u, struct state *s)
 {
-    const double *y0 = c->beam[0]->frame[1], *z0 = c->beam[0]->frame[2];
+    const double *y0 = c->frame[0][1], *z0 = c->frame[0][2];
     const double *dy = u + 3 * c->vector[0], *dz = u + 3 * c->vector[1];
     double dn[3] = {0};
     for (int a = 0; a < 3; a++) {
@@ -65,7 +65,7 @@ static void read_state(const struct corner *c, const double *u, struct state *s)
     add_cross(1, dy, z0, dn);
     add_cross(1, s->y, dz, dn);
     for (int i = 0; i < 2; i++) {
-        const double *b0 = c->beam[1]->frame[1 + i], *db = u + 3 * c->vector[2 + i];
+        const double *b0 = c->frame[1][1 + i], *db = u + 3 * c->vector[2 + i];
         double dp[3];
         for (int a = 0; a < 3; a++) {
             dp[a] = c->C[i][0] * dn[a] + c->C[i][1] * dy[a] + c->C[i][2] * dz[a];

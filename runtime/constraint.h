@@ -18,6 +18,7 @@ enum { CORNER_VECTORS = 5 }; /* a_y, a_z, b_y, b_z, multipliers */
 
 struct corner {
     const struct beam *beam[2];
+    const double (*frame[2])[3];                /* their axes there in the reference, rows */
     int element[2], slope[2][2];                /* element and its vectors y, z at the joint */
     double C[2][3];                             /* C_st */
     long vector[CORNER_VECTORS];                /* their numbers in the model */

@@ -65,6 +65,23 @@ int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int
     return -1;
 }
 
+void hobe_kernel_reference(const struct hobe_kernel *k, double length, const double frame[3][3],
+                           double *q0)
+{
+    for (int v = 0; v < k->vectors; v++) {
+        const struct hobe_vector *is = k->vector + v;
+        const double x = k->node[is->node] * length;
+        for (int a = 0; a < 3; a++) {
+            double value = 0; /* modes beyond 1, y, z vanish at rest */
+            if (is->mode == 0)
+                value = (is->slope ? 1 : x) * frame[0][a];
+            else if (is->mode <= 2 && !is->slope)
+                value = frame[is->mode][a];
+            q0[3 * v + a] = value;
+        }
+    }
+}
+
 /* ---- preparation ---------------------------------------------------------------------------- */
 
 /* Lays the arrays of inv out in one block: one block of Q, or one for each station with a coupling
@@ -427,19 +444,7 @@ const unsigned char *hobe_element_dropped(const hobe_element *element)
 
 void hobe_element_reference(const hobe_element *element, const double frame[3][3], double *q0)
 {
-    const struct hobe_kernel *k = element->kernel;
-    for (int v = 0; v < k->vectors; v++) {
-        const struct hobe_vector *is = k->vector + v;
-        const double x = k->node[is->node] * element->invariants.length;
-        for (int a = 0; a < 3; a++) {
-            double value = 0; /* modes beyond 1, y, z vanish at rest */
-            if (is->mode == 0)
-                value = (is->slope ? 1 : x) * frame[0][a];
-            else if (is->mode <= 2 && !is->slope)
-                value = frame[is->mode][a];
-            q0[3 * v + a] = value;
-        }
-    }
+    hobe_kernel_reference(element->kernel, element->invariants.length, frame, q0);
 }
 
 /* One element in the first lane of a batch, the others at rest. */

@@ -9,6 +9,11 @@
  * that element e of a beam owns the vectors e * hobe_kernel_step() + v. */
 int hobe_kernel_step(const struct hobe_kernel *kernel);
 
+/* Reference nodal vectors q0[vectors][3] of a straight element of that length, its first node at
+ * the origin, on the axes frame[3] = e_x, e_y, e_z (rows). */
+void hobe_kernel_reference(const struct hobe_kernel *kernel, double length,
+                           const double frame[3][3], double *q0);
+
 /* The vector that is the value (slope = 0) or slope of a mode at a node; -1 where there is none. */
 int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int slope);
 

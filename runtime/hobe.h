@@ -184,6 +184,14 @@ enum hobe_status hobe_element_tangent(const hobe_element *element, const double 
                                       const double *q, double *K, struct hobe_error *err);
 void hobe_element_mass(const hobe_element *element, double *M);
 
+/* ---- curves (curve.c) ----------------------------------------------------------------------- */
+
+typedef struct hobe_curve hobe_curve;
+
+double hobe_curve_length(const hobe_curve *curve);
+enum hobe_status hobe_curve_at(const hobe_curve *curve, const double up[3], double at, double r[3],
+                               double frame[3][3], double frame_x[3][3], struct hobe_error *err);
+
 /* ---- model (model.c) ------------------------------------------------------------------------ */
 
 typedef struct hobe_model hobe_model;
@@ -195,7 +203,9 @@ struct hobe_beam {
     int elements;                /* >= 1 */
     const hobe_section *section; /* must outlive the model */
     struct hobe_material material;
-    double from[3], to[3]; /* ends of the axis, m */
+    double from[3], to[3];   /* ends of a straight axis, m */
+    const hobe_curve *curve; /* the axis where it is curved or pretwisted, in place of from and to;
+                                must outlive the model; NULL: straight */
     double up[3]; /* direction the section's z axis points to (made normal to the axis); {0,0,0}:
                      global Z, or global -X for a beam along Z */
     enum hobe_mechanics mechanics;

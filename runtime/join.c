@@ -37,8 +37,7 @@ static enum hobe_status find_joined(const hobe_model *model, const struct hobe_j
         return hobe_fail(err, HOBE_BAD_INPUT, join->where, "beam \"%s\" is joined to itself",
                          a->name);
     for (int c = 0; c < 3; c++)
-        gap = hypot(gap, (join->at[0] == 0 ? a->spec.from : a->spec.to)[c] -
-                             (join->at[1] == 0 ? b->spec.from : b->spec.to)[c]);
+        gap = hypot(gap, a->end[join->at[0] == 1][c] - b->end[join->at[1] == 1][c]);
     if (gap > COINCIDENT * fmax(a->length, b->length))
         return hobe_fail(err, HOBE_BAD_INPUT, join->where,
                          "the joined ends of \"%s\" and \"%s\" are %g m apart; they must coincide",
@@ -46,11 +45,17 @@ static enum hobe_status find_joined(const hobe_model *model, const struct hobe_j
     return HOBE_OK;
 }
 
-static int parallel(const struct beam *a, const struct beam *b)
+static const double (*end_frame(const struct joined *end))[3]
 {
+    return (const double(*)[3])end->beam->end_frame[end->end % 2];
+}
+
+static int parallel(const struct joined end[2])
+{
+    const double(*a)[3] = end_frame(end), (*b)[3] = end_frame(end + 1);
     double turn = 0;
     for (int i = 0; i < 9; i++)
-        turn = fmax(turn, fabs(a->frame[i / 3][i % 3] - b->frame[i / 3][i % 3]));
+        turn = fmax(turn, fabs(a[i / 3][i % 3] - b[i / 3][i % 3]));
     return turn < 1e-9;
 }
 
@@ -84,6 +89,7 @@ static enum hobe_status add_corner(hobe_model *model, const struct joined end[2]
         return HOBE_NO_MEMORY;
     for (int i = 0; i < 2; i++) {
         corner->beam[i] = end[i].beam;
+        corner->frame[i] = end_frame(end + i);
         corner->element[i] = end[i].element;
         for (int s = 0; s < 2; s++)
             corner->slope[i][s] = hobe_kernel_vector(end[i].beam->kernel, end[i].node, 1 + s, 0);
@@ -115,12 +121,12 @@ static enum hobe_status join_one(hobe_model *model, const struct hobe_join *join
     if (status || !tie(tied, end))
         return status;
     share(model, end, 0, 0);
-    if (!parallel(end[0].beam, end[1].beam))
+    if (!parallel(end))
         return add_corner(model, end, err);
     share(model, end, 1, 0);
     share(model, end, 2, 0);
     for (int m = 0;
-         model_same_law(&end[0].beam->spec, &end[1].beam->spec) && m < end[0].beam->kernel->modes;
+         beam_same_law(&end[0].beam->spec, &end[1].beam->spec) && m < end[0].beam->kernel->modes;
          m++) {
         share(model, end, m, 0);
         share(model, end, m, 1);

@@ -23,6 +23,7 @@ struct station {
     struct place place;
     double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS];
     double slope[2][3]; /* r_y, r_z there */
+    double frame[3][3]; /* the section's axes there in the reference, rows */
 };
 
 /* Axial functions at a load and the section's slopes in state u. */
@@ -32,16 +33,19 @@ static void find_station(const struct hobe_model *model, const char *name, doubl
     const struct beam *beam = model_find_beam(model, name, NULL, NULL);
     const struct hobe_kernel *k = beam->kernel;
     s->place = model_place(beam, at);
-    k->shape(s->place.xi, hobe_element_invariants(beam->element)->length, s->N, s->Nx);
+    const int e = s->place.element;
+    const double *q0 = beam_q0(beam, e);
+    k->shape(s->place.xi, hobe_element_invariants(beam_law(beam, e))->length, s->N, s->Nx);
+    beam_frame(beam, e, s->N, s->Nx, s->frame);
     for (int m = 0; m < 2; m++)
         for (int a = 0; a < 3; a++)
             s->slope[m][a] = 0;
     for (int v = 0; u && v < k->vectors; v++) {
         const int m = k->vector[v].mode - 1;
-        const double *du = u + 3 * model_vector(model, beam, s->place.element, v);
+        const double *du = u + 3 * model_vector(model, beam, e, v);
         if (m == 0 || m == 1)
             for (int a = 0; a < 3; a++)
-                s->slope[m][a] += s->N[v] * (beam->q0[3 * v + a] + du[a]);
+                s->slope[m][a] += s->N[v] * (q0[3 * v + a] + du[a]);
     }
 }
 
@@ -110,7 +114,7 @@ static void subtract_moment(const struct hobe_model *model, const struct hobe_mo
 {
     struct station s;
     find_station(model, moment->beam, moment->at, u, &s);
-    const double(*frame)[3] = (const double(*)[3])s.place.beam->frame;
+    const double(*frame)[3] = (const double(*)[3])s.frame;
     double m[3];
     for (int b = 0; b < 3; b++)
         m[b] = dot3(frame[b], moment->value);
@@ -173,7 +177,7 @@ static void subtract_follower(const struct hobe_model *model, const struct hobe_
     find_station(model, force->beam, force->at, u, &s);
     section_axes((const double(*)[3])s.slope, t, &n_length);
     for (int b = 0; b < 3; b++) {
-        local[b] = dot3(s.place.beam->frame[b], force->value);
+        local[b] = dot3(s.frame[b], force->value);
         for (int a = 0; a < 3; a++)
             F[a] += local[b] * t[b][a];
     }
@@ -192,8 +196,8 @@ static void subtract_follower(const struct hobe_model *model, const struct hobe_
 static void add_gravity(struct hobe_model *model, const struct beam *beam)
 {
     const struct hobe_kernel *k = beam->kernel;
-    const double *mass = hobe_element_invariants(beam->element)->mass;
-    for (int e = 0; e < beam->spec.elements; e++)
+    for (int e = 0; e < beam->spec.elements; e++) {
+        const double *mass = hobe_element_invariants(beam_law(beam, e))->mass;
         for (int v = 0; v < k->vectors; v++) {
             double m = 0;
             for (int w = 0; w < k->vectors; w++)
@@ -203,6 +207,7 @@ static void add_gravity(struct hobe_model *model, const struct beam *beam)
             for (int a = 0; a < 3; a++)
                 f[a] += m * model->gravity[a];
         }
+    }
 }
 
 static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_error *err)

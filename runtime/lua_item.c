@@ -103,7 +103,7 @@ const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name)
 
 static int beam(lua_State *L)
 {
-    struct beam read;
+    struct beam read = {0};
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &beam_schema, &read);
     read.beam.kernel = hobe_lua_find_kernel(L, read.element);

@@ -43,15 +43,16 @@ static void assemble_mass(const hobe_model *model, double *Mx)
 {
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
-        const double *mass = hobe_element_invariants(beam->element)->mass;
         const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++)
+        for (int e = 0; e < beam->spec.elements; e++) {
+            const double *mass = hobe_element_invariants(beam_law(beam, e))->mass;
             for (int v = 0; v < V; v++)
                 for (int w = 0; w < V; w++) {
                     const double m = mass[v * V + w];
                     const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
                     tangent_add(model, beam, e, v, w, block, Mx);
                 }
+        }
     }
 }
 
@@ -61,13 +62,14 @@ static double mass_product(const hobe_model *model, const double *a, const doubl
     double sum = 0;
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
-        const double *mass = hobe_element_invariants(beam->element)->mass;
         const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++)
+        for (int e = 0; e < beam->spec.elements; e++) {
+            const double *mass = hobe_element_invariants(beam_law(beam, e))->mass;
             for (int v = 0; v < V; v++)
                 for (int w = 0; w < V; w++)
                     sum += mass[v * V + w] * dot3(a + 3 * model_vector(model, beam, e, v),
                                                   b + 3 * model_vector(model, beam, e, w));
+        }
     }
     return sum;
 }

@@ -3,7 +3,6 @@
 #include "model.h"
 
 #include "constraint.h"
-#include "element.h"
 #include "load.h"
 #include "numbering.h"
 #include "pattern.h"
@@ -60,22 +59,12 @@ static void free_named(struct list *list, size_t size, size_t name_offset, int n
     hobe_free(list->item);
 }
 
-static void free_beam(struct beam *beam)
-{
-    if (!beam->borrowed)
-        hobe_element_free(beam->element);
-    hobe_free(beam->name);
-    hobe_free(beam->q0);
-    hobe_free(beam->q0_lanes);
-    hobe_free(beam->block);
-}
-
 void hobe_model_free(hobe_model *model)
 {
     if (!model)
         return;
     for (size_t i = 0; i < model->beams.count; i++)
-        free_beam(model_beam(model, i));
+        beam_free(model_beam(model, i));
     hobe_free(model->beams.item);
     free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 1);
     free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
@@ -112,107 +101,18 @@ static enum hobe_status check_at(double at, const char *where, struct hobe_error
                      "at must be a fraction of the beam's length from 0 to 1, got %g", at);
 }
 
-/* Axes of a straight beam: e_x along it, e_z as near to `up` as can be. */
-static enum hobe_status set_frame(struct beam *beam, struct hobe_error *err)
+/* An earlier beam whose law serves this one, too: both straight and prismatic, with elements of
+ * equal length. */
+static const struct beam *find_lender(void *context, const struct beam *beam)
 {
-    const struct hobe_beam *s = &beam->spec;
-    double(*e)[3] = beam->frame, d[3], up[3];
-    for (int a = 0; a < 3; a++) {
-        d[a] = s->to[a] - s->from[a];
-        up[a] = s->up[a];
-    }
-    beam->length = length3(d);
-    if (!isfinite(beam->length))
-        return hobe_fail(err, HOBE_BAD_INPUT, s->where,
-                         "beam \"%s\" is longer than a number can say", beam->name);
-    if (!(beam->length > 0))
-        return hobe_fail(err, HOBE_BAD_INPUT, s->where,
-                         "beam \"%s\" has no length: from and to are the same point", beam->name);
-    for (int a = 0; a < 3; a++)
-        e[0][a] = d[a] / beam->length;
-    if (up[0] == 0 && up[1] == 0 && up[2] == 0) {
-        const int vertical = hypot(e[0][0], e[0][1]) < 1e-6;
-        up[0] = vertical ? -copysign(1, e[0][2]) : 0;
-        up[2] = vertical ? 0 : 1;
-    }
-    const double along = dot3(up, e[0]);
-    for (int a = 0; a < 3; a++)
-        e[2][a] = up[a] - along * e[0][a];
-    const double across = length3(e[2]);
-    if (!(across > 1e-6 * length3(up)))
-        return hobe_fail(
-            err, HOBE_BAD_INPUT, s->where,
-            "up = {%g, %g, %g} points along the beam \"%s\"; give a direction across it", s->up[0],
-            s->up[1], s->up[2], beam->name);
-    for (int a = 0; a < 3; a++)
-        e[2][a] /= across;
-    cross3(e[2], e[0], e[1]);
-    return HOBE_OK;
-}
-
-int model_same_law(const struct hobe_beam *a, const struct hobe_beam *b)
-{
-    const struct hobe_material *m = &a->material, *n = &b->material;
-    return a->kernel == b->kernel && a->section == b->section && a->mechanics == b->mechanics &&
-           a->integration == b->integration && m->E == n->E && m->nu == n->nu && m->rho == n->rho &&
-           m->k2 == n->k2 && m->k3 == n->k3;
-}
-
-/* Elements of equal law and length are one: beams share it. */
-static enum hobe_status find_element(const hobe_model *model, struct beam *beam,
-                                     struct hobe_error *err)
-{
-    const struct hobe_beam *s = &beam->spec;
-    const double length = beam->length / s->elements;
-    for (size_t i = 0; i + 1 < model->beams.count; i++) {
+    const hobe_model *model = context;
+    for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *other = model_beam(model, i);
-        if (model_same_law(s, &other->spec) && length == other->length / other->spec.elements) {
-            beam->element = other->element;
-            beam->borrowed = 1;
-            return HOBE_OK;
-        }
+        if (other != beam && !other->law_of && beam_same_law(&beam->spec, &other->spec) &&
+            beam->length / beam->spec.elements == other->length / other->spec.elements)
+            return other;
     }
-    beam->element = hobe_element_new(&(struct hobe_element_options){.kernel = s->kernel,
-                                                                    .section = s->section,
-                                                                    .material = s->material,
-                                                                    .length = length,
-                                                                    .mechanics = s->mechanics,
-                                                                    .integration = s->integration},
-                                     err);
-    if (!beam->element && err)
-        err->where = s->where;
-    return beam->element ? HOBE_OK : err ? err->status : HOBE_BAD_INPUT;
-}
-
-/* The element and its reference, in one lane and in all. */
-static enum hobe_status prepare(const hobe_model *model, struct beam *beam, struct hobe_error *err)
-{
-    const size_t n = 3 * (size_t)beam->spec.kernel->vectors;
-    beam->kernel = beam->spec.kernel;
-    beam->step = hobe_kernel_step(beam->kernel);
-    const enum hobe_status status = find_element(model, beam, err);
-    if (status)
-        return status;
-    beam->q0 = hobe_alloc(n, sizeof(double), err);
-    beam->q0_lanes = hobe_alloc(n, sizeof(hobe_lanes), err);
-    if (!beam->q0 || !beam->q0_lanes)
-        return HOBE_NO_MEMORY;
-    hobe_element_reference(beam->element, (const double(*)[3])beam->frame, beam->q0);
-    for (size_t i = 0; i < n; i++)
-        for (int e = 0; e < HOBE_LANES; e++)
-            beam->q0_lanes[i][e] = beam->q0[i];
-    return HOBE_OK;
-}
-
-static enum hobe_status set_up_beam(const hobe_model *model, struct beam *beam,
-                                    struct hobe_error *err)
-{
-    beam->name = copy_text(beam->spec.name, err);
-    if (!beam->name)
-        return HOBE_NO_MEMORY;
-    beam->spec.name = beam->name;
-    const enum hobe_status status = set_frame(beam, err);
-    return status ? status : prepare(model, beam, err);
+    return NULL;
 }
 
 enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec,
@@ -233,10 +133,10 @@ enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec
         return HOBE_NO_MEMORY;
     *beam = (struct beam){.spec = *spec};
     const double start = hobe_seconds();
-    const enum hobe_status status = set_up_beam(model, beam, err);
+    const enum hobe_status status = beam_open(beam, find_lender, model, err);
     model->setup += hobe_seconds() - start;
     if (status) { /* the model stays as it was */
-        free_beam(beam);
+        beam_free(beam);
         model->beams.count--;
     }
     return status;

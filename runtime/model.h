@@ -9,23 +9,9 @@
 #ifndef HOBE_MODEL_H
 #define HOBE_MODEL_H
 
+#include "beam.h"
 #include "hobe.h"
 #include "linsolve.h"
-
-struct beam {
-    struct hobe_beam spec;
-    char *name;
-    hobe_element *element;
-    int borrowed; /* the element is an earlier beam's */
-    const struct hobe_kernel *kernel;
-    double frame[3][3]; /* rows e_x, e_y, e_z in the reference */
-    double length;      /* of the beam, m */
-    double *q0;         /* [V][3] reference of one element, first node at the origin */
-    hobe_lanes *q0_lanes;
-    long first;  /* first vector */
-    int step;    /* vectors from an element to the next */
-    long *block; /* [elements][V][V] place of the 3 x 3 block (v, w) in the pattern, -1: held */
-};
 
 /* Where something acts: an element of a beam and the place in it. */
 struct place {
@@ -86,9 +72,6 @@ static inline long model_vector(const struct hobe_model *model, const struct bea
 
 /* A new item of the given size at the end of a list; NULL with err when there is no room. */
 void *list_append(struct list *list, size_t size, struct hobe_error *err);
-
-/* Whether one element law serves both beams: kernel, section, material and integration alike. */
-int model_same_law(const struct hobe_beam *a, const struct hobe_beam *b);
 
 /* Keeps a copy of a sentence for hobe_model_note. */
 enum hobe_status model_add_note(hobe_model *model, const char *text, struct hobe_error *err);

@@ -30,16 +30,24 @@ static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *e
     return HOBE_OK;
 }
 
+/* Whether any element of the beam leaves a mode out. */
+static int is_dropped(const struct beam *beam, int mode)
+{
+    for (int i = 0; i < beam->laws; i++)
+        if (hobe_element_dropped(beam->law[i])[mode])
+            return 1;
+    return 0;
+}
+
 /* Vectors that a section does not carry are held at zero, and named. */
 static enum hobe_status hold_dropped(hobe_model *model, struct hobe_error *err)
 {
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         const struct hobe_kernel *k = beam->kernel;
-        const unsigned char *dropped = hobe_element_dropped(beam->element);
         for (int m = 0; m < k->modes; m++) {
             char text[200];
-            if (!dropped[m])
+            if (!is_dropped(beam, m))
                 continue;
             snprintf(
                 text, sizeof text,
@@ -63,7 +71,7 @@ static enum hobe_status note_spurious(hobe_model *model, struct hobe_error *err)
         const struct beam *beam = model_beam(model, i);
         struct hobe_rest rest;
         char text[240];
-        hobe_element_rest(beam->element, &rest);
+        hobe_element_rest(beam->law[0], &rest);
         if (rest.zero <= 6)
             continue;
         snprintf(text, sizeof text,

@@ -12,7 +12,9 @@
 struct around {
     const struct hobe_kernel *kernel;
     double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS], phi[HOBE_MAX_MODES][4];
+    const double *q0; /* [vectors][3] reference, the element's first node at the origin */
     double u[3 * HOBE_MAX_VECTORS];
+    double frame[3][3]; /* the section's axes on the beam's axis in the reference, rows */
 };
 
 /* Displacements of the element's vectors and its axial functions at a place. */
@@ -21,7 +23,10 @@ static void look_around(const hobe_model *model, const double *u, struct place p
 {
     const struct beam *beam = place.beam;
     p->kernel = beam->kernel;
-    p->kernel->shape(place.xi, hobe_element_invariants(beam->element)->length, p->N, p->Nx);
+    const double length = hobe_element_invariants(beam_law(beam, place.element))->length;
+    p->q0 = beam_q0(beam, place.element);
+    p->kernel->shape(place.xi, length, p->N, p->Nx);
+    beam_frame(beam, place.element, p->N, p->Nx, p->frame);
     for (int v = 0; v < p->kernel->vectors; v++)
         memcpy(p->u + 3 * v, u + 3 * model_vector(model, beam, place.element, v), 3 * sizeof *p->u);
 }
@@ -40,7 +45,7 @@ static enum hobe_status set_modes(const struct beam *beam, double y, double z, s
     return HOBE_OK;
 }
 
-/* sum_v g_v q_v with g = (N phi, N' phi, N phi_y, N phi_z): value and gradient of a field. */
+/* Value and gradient by x, y, z of the field sum_v N_v phi_v q_v. */
 static void field(const struct around *p, const double *q, double value[3], double F[3][3])
 {
     for (int a = 0; a < 3; a++)
@@ -50,7 +55,7 @@ static void field(const struct around *p, const double *q, double value[3], doub
         for (int a = 0; a < 3; a++) {
             const double x = q[3 * v + a];
             value[a] += p->N[v] * phi[0] * x;
-            F[a][0] += p->Nx[v] * phi[0] * x;
+            F[a][0] += (p->Nx[v] * phi[0] + p->N[v] * phi[3]) * x;
             F[a][1] += p->N[v] * phi[1] * x;
             F[a][2] += p->N[v] * phi[2] * x;
         }
@@ -64,14 +69,26 @@ static double determinant(double F[3][3])
            F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
 }
 
-/* dr/dX = dr0/dX + du/dX at the point p, columns the section's axes. */
-static void gradient(const struct around *p, const struct beam *beam, double F[3][3])
+/* F = dr/dX at the point p, columns the section's axes X_a in the reference: with
+ * J = R dr0/d(x,y,z), R the rows of the frame, F = R' + du/d(x,y,z) J^-1 (eq. 22). */
+static void gradient(const struct around *p, double F[3][3])
 {
-    double value[3];
-    field(p, p->u, value, F);
+    double value[3], G0[3][3], G[3][3], J[3][3] = {{0}}, C[3][3];
+    field(p, p->q0, value, G0);
+    field(p, p->u, value, G);
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++)
-            F[a][b] += beam->frame[b][a];
+            for (int c = 0; c < 3; c++)
+                J[b][a] += p->frame[a][c] * G0[c][b]; /* its columns, as rows */
+    for (int b = 0; b < 3; b++)
+        cross3(J[(b + 1) % 3], J[(b + 2) % 3], C[b]); /* J^-1 = C/det */
+    const double det = dot3(J[0], C[0]);
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) {
+            F[a][b] = p->frame[b][a];
+            for (int c = 0; c < 3; c++)
+                F[a][b] += G[a][c] * C[c][b] / det;
+        }
 }
 
 double solution_smallest_volume(const hobe_model *model, const double *u)
@@ -79,7 +96,6 @@ double solution_smallest_volume(const hobe_model *model, const double *u)
     double smallest = INFINITY;
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
-        const struct hobe_invariants *inv = hobe_element_invariants(beam->element);
         const struct hobe_section *s = beam->spec.section;
         double phi[HOBE_PROBES][HOBE_MAX_MODES][4];
         struct around p = {.kernel = beam->kernel};
@@ -88,16 +104,18 @@ double solution_smallest_volume(const hobe_model *model, const double *u)
                 return NAN;
             memcpy(phi[c], p.phi, sizeof p.phi);
         }
-        for (int e = 0; e < beam->spec.elements; e++)
+        for (int e = 0; e < beam->spec.elements; e++) {
+            const struct hobe_invariants *inv = hobe_element_invariants(beam_law(beam, e));
             for (int g = 0; g < inv->stations; g++) {
                 look_around(model, u, (struct place){beam, e, inv->xi[g]}, &p);
                 for (int c = 0; c < s->probes; c++) {
                     double F[3][3];
                     memcpy(p.phi, phi[c], sizeof p.phi);
-                    gradient(&p, beam, F);
+                    gradient(&p, F);
                     smallest = fmin(smallest, determinant(F));
                 }
             }
+        }
     }
     return smallest;
 }
@@ -180,6 +198,20 @@ enum hobe_status solution_displacement(const hobe_model *model, const double *ve
     return status;
 }
 
+/* Where a point of the beam is in the reference. */
+static void reference(const struct around *p, struct place place, double at, double y, double z,
+                      double r0[3])
+{
+    const struct beam *beam = place.beam;
+    double G0[3][3];
+    if (beam->origin)
+        field(p, p->q0, r0, G0);
+    for (int a = 0; a < 3; a++)
+        r0[a] = beam->origin ? beam->origin[place.element][a] + r0[a]
+                             : beam->end[0][a] + at * beam->length * p->frame[0][a] +
+                                   y * p->frame[1][a] + z * p->frame[2][a];
+}
+
 enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *name, double at,
                                      double y, double z, struct hobe_point *point,
                                      struct hobe_error *err)
@@ -194,24 +226,22 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
     enum hobe_status status = set_modes(beam, 0, 0, &p, err);
     if (status)
         return status;
-    gradient(&p, beam, axis);
+    gradient(&p, axis);
     status = set_modes(beam, y, z, &p, err);
     if (status)
         return status;
-    gradient(&p, beam, point->F);
+    gradient(&p, point->F);
     field(&p, p.u, point->u, gradient_u);
-    beam->kernel->strain(p.N, p.Nx, (const double(*)[4])p.phi, beam->q0, p.u, point->strain);
-    for (int a = 0; a < 3; a++) {
-        point->r0[a] = beam->spec.from[a] + at * beam->length * beam->frame[0][a] +
-                       y * beam->frame[1][a] + z * beam->frame[2][a];
+    beam->kernel->strain(p.N, p.Nx, (const double(*)[4])p.phi, p.q0, p.u, point->strain);
+    reference(&p, place, at, y, z, point->r0);
+    for (int a = 0; a < 3; a++)
         point->r[a] = point->r0[a] + point->u[a];
-    }
     double zy = 0, zz = 0; /* r_z on the reference axes */
     for (int a = 0; a < 3; a++) {
-        zy += axis[a][2] * beam->frame[1][a];
-        zz += axis[a][2] * beam->frame[2][a];
+        zy += axis[a][2] * p.frame[1][a];
+        zz += axis[a][2] * p.frame[2][a];
     }
     point->twist = atan2(-zy, zz);
-    section_rotation((const double(*)[3])axis, (const double(*)[3])beam->frame, point->rotation);
+    section_rotation((const double(*)[3])axis, (const double(*)[3])p.frame, point->rotation);
     return HOBE_OK;
 }

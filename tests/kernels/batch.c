@@ -32,6 +32,10 @@ static real fraction(double x)
 void reference(const struct fixture *fx, real *X)
 {
     const struct hobe_kernel *k = fx->kernel;
+    if (fx->curved) {
+        memcpy(X, fx->curved, (size_t)fx->dofs * sizeof *X);
+        return;
+    }
     for (int v = 0; v < k->vectors; v++) {
         const struct hobe_vector *a = &k->vector[v];
         const char *name = k->mode[a->mode];

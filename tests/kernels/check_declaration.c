@@ -183,6 +183,8 @@ void check_strain(const struct fixture *fx)
         fx->kernel->shape(xi, (double)fx->beam.length, N, N + n);
         fx->kernel->section_modes(y, z, (const double(*)[4])f, phi);
         check_modes(fx, y, z, phi);
+        grow_functions(fx, xi, f);
+        fx->kernel->section_modes(y, z, (const double(*)[4])f, phi);
         for (size_t i = 0; i < dofs; i++) {
             q0[i] = b.q0[i][lane];
             u[i] = b.u[i][lane];
@@ -269,8 +271,10 @@ void check_mass(const struct fixture *fx)
     real skew = 0, error = 0, *M = grab((size_t)(n * n), sizeof *M);
     real *X = grab((size_t)fx->dofs, sizeof *X);
     reference(fx, X);
-    check_translation(fx, X);
-    check_rotation(fx, X);
+    if (!fx->curved) {
+        check_translation(fx, X);
+        check_rotation(fx, X);
+    }
     free(X);
     if (fx->known)
         pw_mass(&fx->beam, fx->density, M);

@@ -100,14 +100,14 @@ void test_functions(double y, double z, double (*f)[4])
 }
 
 /* One Gauss point more in each direction than the evaluator has: both are exact, and no two points
- * coincide. */
+ * coincide; but the evaluator's where the reference is curved and neither is exact. */
 static void set_section(struct fixture *fx)
 {
     int degree = fx->kernel->degree, n;
     real x[PW_GAUSS], w[PW_GAUSS];
     if (fx->kernel->functions && degree < FUNCTION_DEGREE)
         degree = FUNCTION_DEGREE;
-    n = 2 * degree + 2 < PW_GAUSS ? 2 * degree + 2 : PW_GAUSS;
+    n = 2 * degree + 2 < PW_GAUSS && !fx->curved ? 2 * degree + 2 : 2 * degree + 1;
     pw_gauss(n, x, w);
     fx->point = grab((size_t)(n * n), sizeof *fx->point);
     for (int p = 0; p < n * n; p++) {
@@ -144,6 +144,49 @@ static void set_law(struct fixture *fx)
     memcpy(fx->mean_law.shear, mean_shear, sizeof mean_shear);
 }
 
+void grow_functions(const struct fixture *fx, double xi, double (*f)[4])
+{
+    for (int i = 0; i < HOBE_MAX_FUNCTIONS; i++) {
+        f[i][3] = (double)(fx->beam.taper / fx->beam.length) * f[i][0];
+        for (int d = 0; d < 3; d++)
+            f[i][d] *= 1 + (double)fx->beam.taper * xi;
+    }
+}
+
+/* The section rule at xi. */
+static struct hobe_section_rule rule_at(const struct fixture *fx,
+                                        const struct hobe_section_rule *rule, double xi)
+{
+    struct hobe_section_point *point = grab((size_t)rule->points, sizeof *point);
+    memcpy(point, rule->point, (size_t)rule->points * sizeof *point);
+    for (int p = 0; p < rule->points; p++)
+        grow_functions(fx, xi, point[p].f);
+    return (struct hobe_section_rule){rule->points, point};
+}
+
+static void fill(const struct fixture *fx, const double (*gauss)[2], struct hobe_invariants *inv)
+{
+    const struct hobe_law law = {1, &fx->law, &fx->density, fx->mean_law};
+    struct hobe_station station[PW_GAUSS] = {{fx->rule, fx->mean, fx->mean}};
+    double q0[PW_DOFS];
+    if (!fx->curved) {
+        fx->kernel->invariants(inv, gauss, 1, station, &law, NULL);
+        return;
+    }
+    for (int i = 0; i < fx->dofs; i++)
+        q0[i] = (double)fx->curved[i];
+    for (int s = 0; s < inv->stations; s++) {
+        station[s].rule = rule_at(fx, &fx->rule, gauss[s][0]);
+        station[s].mean_normal = rule_at(fx, &fx->mean, gauss[s][0]);
+        station[s].mean_shear = station[s].mean_normal;
+    }
+    fx->kernel->invariants(inv, gauss, inv->stations, station, &law, q0);
+    for (int s = 0; s < inv->stations; s++) {
+        free((void *)station[s].rule.point);
+        free((void *)station[s].mean_normal.point);
+    }
+}
+
 void make_invariants(const struct fixture *fx, int stations, int blocks,
                      struct hobe_invariants *inv)
 {
@@ -161,19 +204,20 @@ void make_invariants(const struct fixture *fx, int stations, int blocks,
     inv->Nx = grab(rows, sizeof(double));
     inv->Qn = grab(copies * nn, sizeof(double));
     inv->Qs = grab(copies * ns, sizeof(double));
+    inv->Qc = fx->curved ? grab((size_t)(stations * k->normals * k->shears), sizeof(double)) : NULL;
     inv->mass = grab((size_t)(k->vectors * k->vectors), sizeof(double));
     pw_gauss(stations, x, w);
     for (int s = 0; s < stations; s++) {
         gauss[s][0] = (double)x[s];
         gauss[s][1] = (double)w[s];
     }
-    const struct hobe_station station = {fx->rule, fx->mean, fx->mean};
-    const struct hobe_law law = {1, &fx->law, &fx->density, fx->mean_law};
-    k->invariants(inv, (const double(*)[2])gauss, 1, &station, &law, NULL);
-    for (int s = 1; s < blocks; s++) {
+    fill(fx, (const double(*)[2])gauss, inv);
+    for (int s = 1; !fx->curved && s < blocks; s++) {
         memcpy(inv->Qn + (size_t)s * nn, inv->Qn, nn * sizeof(double));
         memcpy(inv->Qs + (size_t)s * ns, inv->Qs, ns * sizeof(double));
     }
+    if (fx->curved)
+        return;
     inv->step_n = blocks > 1 ? (ptrdiff_t)nn : 0;
     inv->step_s = blocks > 1 ? (ptrdiff_t)ns : 0;
 }
@@ -186,6 +230,7 @@ void free_invariants(struct hobe_invariants *inv)
     free(inv->Nx);
     free(inv->Qn);
     free(inv->Qs);
+    free(inv->Qc);
     free(inv->mass);
 }
 
@@ -210,7 +255,22 @@ static void set_sizes(struct fixture *fx)
     }
 }
 
-void fixture_open(struct fixture *fx, const struct hobe_kernel *kernel, enum pw_mechanics mechanics)
+/* A reference distorted by up to `scale`: its vectors tilt and stretch by that. */
+static void set_reference(struct fixture *fx, real scale)
+{
+    real *X = grab((size_t)fx->dofs, sizeof *X);
+    real *u = grab((size_t)fx->dofs, sizeof *u);
+    reference(fx, X);
+    random_vectors(fx, scale, u);
+    for (int i = 0; i < fx->dofs; i++)
+        X[i] += u[i];
+    free(u);
+    fx->curved = X;
+    fx->beam.reference = X;
+}
+
+static void open_fixture(struct fixture *fx, const struct hobe_kernel *kernel,
+                         enum pw_mechanics mechanics, int curved)
 {
     memset(fx, 0, sizeof *fx);
     fx->kernel = kernel;
@@ -232,7 +292,24 @@ void fixture_open(struct fixture *fx, const struct hobe_kernel *kernel, enum pw_
     set_section(fx);
     set_law(fx);
     set_sizes(fx);
-    make_invariants(fx, kernel->stations, 1, &fx->inv);
+    if (curved) {
+        free(fx->point);
+        fx->beam.taper = 0.4L;
+        set_reference(fx, 0.05L);
+        set_section(fx);
+    }
+    make_invariants(fx, kernel->stations, curved ? kernel->stations : 1, &fx->inv);
+}
+
+void fixture_open(struct fixture *fx, const struct hobe_kernel *kernel, enum pw_mechanics mechanics)
+{
+    open_fixture(fx, kernel, mechanics, 0);
+}
+
+void fixture_open_curved(struct fixture *fx, const struct hobe_kernel *kernel,
+                         enum pw_mechanics mechanics)
+{
+    open_fixture(fx, kernel, mechanics, 1);
 }
 
 void fixture_close(struct fixture *fx)
@@ -240,4 +317,5 @@ void fixture_close(struct fixture *fx)
     free_invariants(&fx->inv);
     free(fx->point);
     free(fx->size);
+    free(fx->curved);
 }

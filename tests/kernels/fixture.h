@@ -17,6 +17,7 @@ struct fixture {
     struct hobe_section_point *point, axis;
     struct hobe_section_rule rule, mean;
     struct hobe_elasticity law, mean_law;
+    real *curved; /* [dofs] its reference where it is not straight and prismatic */
     struct hobe_invariants inv;
 };
 
@@ -26,6 +27,10 @@ void *grab(size_t count, size_t size);
 
 void fixture_open(struct fixture *fx, const struct hobe_kernel *kernel,
                   enum pw_mechanics mechanics);
+/* The same with a reference that is curved, pretwisted and distorted, and a section function that
+ * grows along the element. */
+void fixture_open_curved(struct fixture *fx, const struct hobe_kernel *kernel,
+                         enum pw_mechanics mechanics);
 void fixture_close(struct fixture *fx);
 
 /* The invariants with another number of stations; one block for all stations or one for each.
@@ -36,6 +41,9 @@ void free_invariants(struct hobe_invariants *inv);
 
 /* The section functions of the tests: polynomials of degree three in y and in z. */
 void test_functions(double y, double z, double (*f)[4]);
+
+/* The same at xi of a tapered element: times 1 + taper xi. */
+void grow_functions(const struct fixture *fx, double xi, double (*f)[4]);
 
 /* "3333w/average lane 3"; lane < 0: no lane.  Overwritten by the next call. */
 const char *where(const struct fixture *fx, int lane);

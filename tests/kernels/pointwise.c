@@ -112,7 +112,7 @@ struct grid {
     real area;
     real length_weight[PW_GAUSS];
     real N[PW_GAUSS][PW_VECTORS], Nx[PW_GAUSS][PW_VECTORS];
-    real weight[POINTS], phi[POINTS][3 * PW_MODES];
+    real xi[PW_GAUSS], weight[POINTS], phi[POINTS][3 * PW_MODES];
 };
 
 /* Polynomial degrees decide the number of points.  Along the axis dr/dx and the other fields have
@@ -130,6 +130,7 @@ static void set_grid(const struct pw_beam *beam, struct grid *g)
     g->stations = (cubic ? 7 : 5) + beam->extra;
     pw_gauss(g->stations, x, w);
     for (int s = 0; s < g->stations; s++) {
+        g->xi[s] = x[s];
         g->length_weight[s] = w[s] * beam->length;
         pw_shape(beam, x[s], g->N[s], g->Nx[s]);
     }
@@ -146,16 +147,75 @@ static void set_grid(const struct pw_beam *beam, struct grid *g)
     pw_modes(beam, 0, 0, g->phi[n * n]);
 }
 
-/* The gradient of N_v phi_v, for all vectors at a point: G[v] = d/dx, d/dy, d/dz. */
-static void gradients(const struct pw_beam *beam, const real *N, const real *Nx, const real *phi,
-                      real G[PW_VECTORS][3])
+/* The axes of the section in the reference, rows: e_x along dr/dx on the axis, e_y as near to the
+ * slope r_y there as can be. */
+static void local_axes(const struct pw_beam *beam, const real *N, const real *Nx, real R[3][3])
 {
+    real slope[2][3] = {{0}}, length = 0, along = 0;
     for (int v = 0; v < beam->element.vectors; v++) {
-        const real *f = phi + 3 * beam->element.vector[v].mode;
-        G[v][0] = Nx[v] * f[0];
-        G[v][1] = N[v] * f[1];
-        G[v][2] = N[v] * f[2];
+        const int mode = beam->element.vector[v].mode;
+        for (int i = 0; mode < 2 && i < 3; i++)
+            slope[mode][i] += (mode ? N[v] : Nx[v]) * beam->reference[3 * v + i];
     }
+    for (int i = 0; i < 3; i++) {
+        length += slope[0][i] * slope[0][i];
+        along += slope[0][i] * slope[1][i];
+    }
+    real across = 0;
+    for (int i = 0; i < 3; i++) {
+        R[0][i] = slope[0][i] / sqrtl(length);
+        R[1][i] = slope[1][i] - along / length * slope[0][i];
+        across += R[1][i] * R[1][i];
+    }
+    for (int i = 0; i < 3; i++)
+        R[1][i] /= sqrtl(across);
+    for (int i = 0; i < 3; i++)
+        R[2][i] = R[0][(i + 1) % 3] * R[1][(i + 2) % 3] - R[0][(i + 2) % 3] * R[1][(i + 1) % 3];
+}
+
+/* X = A^-1 by Cramer's rule; returns det A. */
+static real invert(real A[3][3], real X[3][3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+            X[j][i] = A[a][c] * A[b][d] - A[a][d] * A[b][c];
+        }
+    const real det = A[0][0] * X[0][0] + A[0][1] * X[1][0] + A[0][2] * X[2][0];
+    for (int i = 0; i < 9; i++)
+        X[i / 3][i % 3] /= det;
+    return det;
+}
+
+/* The gradient of N_v phi_v, for all vectors at a point: G[v] = d/dX_j on the section's axes.
+ * Returns det dX/d(x,y,z), the volume there over that of the straight beam. */
+static real gradients(const struct pw_beam *beam, real xi, const real *N, const real *Nx,
+                      const real *phi, real G[PW_VECTORS][3])
+{
+    const int vectors = beam->element.vectors;
+    real R[3][3], J[3][3] = {{0}}, back[3][3];
+    for (int v = 0; v < vectors; v++) {
+        const int mode = beam->element.vector[v].mode, w = beam->element.mode[mode][0] == 'w';
+        const real *f = phi + 3 * mode, grown = w ? 1 + beam->taper * xi : 1;
+        G[v][0] = (Nx[v] * grown + (w ? N[v] * beam->taper / beam->length : 0)) * f[0];
+        G[v][1] = N[v] * grown * f[1];
+        G[v][2] = N[v] * grown * f[2];
+    }
+    if (!beam->reference)
+        return 1;
+    local_axes(beam, N, Nx, R);
+    for (int v = 0; v < vectors; v++)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                for (int a = 0; a < 3; a++)
+                    J[i][j] += R[i][a] * beam->reference[3 * v + a] * G[v][j];
+    const real volume = invert(J, back);
+    for (int v = 0; v < vectors; v++) {
+        const real along[3] = {G[v][0], G[v][1], G[v][2]};
+        for (int j = 0; j < 3; j++)
+            G[v][j] = along[0] * back[0][j] + along[1] * back[1][j] + along[2] * back[2][j];
+    }
+    return volume;
 }
 
 /* F_ij = d r_i/d X_j. */
@@ -170,25 +230,28 @@ static void deformation(int vectors, real G[PW_VECTORS][3], const number *q, num
 
 /* From F at the points of a section: the energy per length, and P times the weight of each point,
  * whose work on dF is the variation of that energy. */
-static number section(const struct pw_beam *beam, const struct law *law, const struct grid *g,
+static number section(const struct pw_beam *beam, const struct law *law, int n, const real *weight,
                       number (*F)[3][3], number (*P)[3][3])
 {
-    const int n = g->points, axis = n - 1, on_axis = beam->mechanics == PW_AXIS;
+    const int axis = n - 1, on_axis = beam->mechanics == PW_AXIS;
+    real area = 0;
     struct law C = *law;
     number eps[POINTS][6], mean[6] = {0}, mean_stress[6] = {0}, energy = 0;
+    for (int p = 0; p < n; p++)
+        area += weight[p];
     for (int p = 0; p < n; p++) {
         green_lagrange(F[p], eps[p]);
         for (int i = 0; i < 6; i++)
-            mean[i] += on_axis ? (p == axis) * eps[p][i] : g->weight[p] / g->area * eps[p][i];
+            mean[i] += on_axis ? (p == axis) * eps[p][i] : weight[p] / area * eps[p][i];
     }
-    energy += g->area * add_stress(C.mean, 1, mean, mean_stress);
+    energy += area * add_stress(C.mean, 1, mean, mean_stress);
     for (int p = 0; p < n; p++) {
         /* d mean(eps) is d eps on the axis, or the weighted mean of d eps. */
-        real share = on_axis ? (p == axis) * g->area : g->weight[p];
+        real share = on_axis ? (p == axis) * area : weight[p];
         number sigma[6];
         for (int i = 0; i < 6; i++)
             sigma[i] = share * mean_stress[i];
-        energy += add_stress(C.volume, g->weight[p], eps[p], sigma);
+        energy += add_stress(C.volume, weight[p], eps[p], sigma);
         first_piola(F[p], sigma, P[p]);
     }
     return energy;
@@ -197,7 +260,7 @@ static number section(const struct pw_beam *beam, const struct law *law, const s
 /* ---- energy, force, tangent ----------------------------------------------------------------- */
 
 struct station {
-    real G[POINTS][PW_VECTORS][3];
+    real weight[POINTS], G[POINTS][PW_VECTORS][3];
     number F[POINTS][3][3], P[POINTS][3][3];
 };
 
@@ -205,7 +268,9 @@ static void set_station(const struct pw_beam *beam, const struct grid *g, int s,
                         struct station *station)
 {
     for (int p = 0; p < g->points; p++) {
-        gradients(beam, g->N[s], g->Nx[s], g->phi[p], station->G[p]);
+        const real *N = g->N[s], *Nx = g->Nx[s];
+        station->weight[p] =
+            g->weight[p] * gradients(beam, g->xi[s], N, Nx, g->phi[p], station->G[p]);
         deformation(beam->element.vectors, station->G[p], q, station->F[p]);
     }
 }
@@ -221,7 +286,7 @@ static number evaluate(const struct pw_beam *beam, const number *q, number *f)
     set_grid(beam, &g);
     for (int s = 0; s < g.stations; s++) {
         set_station(beam, &g, s, q, &t);
-        energy += g.length_weight[s] * section(beam, &law, &g, t.F, t.P);
+        energy += g.length_weight[s] * section(beam, &law, g.points, t.weight, t.F, t.P);
         for (int p = 0; f && p < g.points; p++)
             for (int v = 0; v < beam->element.vectors; v++)
                 for (int i = 0; i < 3; i++)
@@ -255,7 +320,7 @@ static void tangent_column(const struct pw_beam *beam, const struct law *law, co
     for (int p = 0; p < g->points; p++)
         for (int j = 0; j < 3; j++)
             F[p][column % 3][j] += I * h * t->G[p][column / 3][j];
-    section(beam, law, g, F, t->P);
+    section(beam, law, g->points, t->weight, F, t->P);
     for (int p = 0; p < g->points; p++)
         for (int i = 0; i < 3; i++) {
             real P[3];
@@ -298,7 +363,7 @@ void pw_strain(const struct pw_beam *beam, const real *q, real xi, real y, real 
         position[i] = q[i];
     pw_shape(beam, xi, N, Nx);
     pw_modes(beam, y, z, phi);
-    gradients(beam, N, Nx, phi, G);
+    gradients(beam, xi, N, Nx, phi, G);
     deformation(beam->element.vectors, G, position, F);
     green_lagrange(F, eps);
     for (int i = 0; i < 6; i++)
@@ -313,9 +378,14 @@ void pw_mass(const struct pw_beam *beam, real density, real *M)
     memset(M, 0, (size_t)(e->vectors * e->vectors) * sizeof *M);
     for (int s = 0; s < g.stations; s++)
         for (int p = 0; p < g.points; p++) {
-            real value[PW_VECTORS], weight = density * g.length_weight[s] * g.weight[p];
-            for (int v = 0; v < e->vectors; v++)
+            real value[PW_VECTORS], G[PW_VECTORS][3],
+                weight = density * g.length_weight[s] * g.weight[p];
+            weight *= gradients(beam, g.xi[s], g.N[s], g.Nx[s], g.phi[p], G);
+            for (int v = 0; v < e->vectors; v++) {
                 value[v] = g.N[s][v] * g.phi[p][3 * e->vector[v].mode];
+                if (e->mode[e->vector[v].mode][0] == 'w')
+                    value[v] *= 1 + beam->taper * g.xi[s];
+            }
             for (int v = 0; v < e->vectors; v++)
                 for (int w = 0; w < e->vectors; w++)
                     M[v * e->vectors + w] += weight * value[v] * value[w];

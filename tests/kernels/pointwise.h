@@ -3,9 +3,9 @@
  *
  * It is the textbook, point by point: position r(xi,y,z) from the nodal vectors, deformation
  * gradient F, Green-Lagrange strain E = (F'F - I)/2, second Piola-Kirchhoff stress, virtual work,
- * Gauss points through the volume of a straight prismatic rectangular beam.  It has its own table
- * of elements and its own Gauss rules, and shares neither code nor tables with the kernels or with
- * the library.  Slow on purpose: long double, and derivatives by the complex step
+ * Gauss points through the volume of a rectangular beam, straight or with any reference.  It has
+ * its own table of elements and its own Gauss rules, and shares neither code nor tables with the
+ * kernels or with the library.  Slow on purpose: long double, and derivatives by the complex step
  * f'(x) = Im f(x + ih)/h, which loses no digits.
  *
  * Units are SI.  Nodal vectors are flat arrays q[3*v + i], in the order of the element's nodes and
@@ -69,9 +69,11 @@ struct pw_beam {
     real y, z;                  /* the section's centre */
     real E, nu, k2, k3;         /* k2 multiplies G on xz, k3 on xy */
     enum pw_mechanics mechanics;
-    pw_function *warping; /* a polynomial; only called where the element has the mode w */
-    int warping_degree;   /* its highest power of y or of z */
-    int extra;            /* Gauss points beyond those that integrate exactly (normally 0) */
+    pw_function *warping;  /* a polynomial; only called where the element has the mode w */
+    int warping_degree;    /* its highest power of y or of z */
+    int extra;             /* Gauss points beyond those that integrate exactly (normally 0) */
+    const real *reference; /* [3 vectors] curved, pretwisted, distorted; NULL: straight */
+    real taper;            /* w grows along the element by the factor 1 + taper xi */
 };
 
 /* The relative spacing of `real` as it is computed here: 1e-19 on x86, 2e-16 on machines whose long

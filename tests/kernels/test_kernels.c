@@ -33,6 +33,25 @@ static void check_kernel(const struct hobe_kernel *kernel)
     }
 }
 
+/* Curved, pretwisted, distorted, with a section function that varies along the element. */
+static void check_curved(const struct hobe_kernel *kernel)
+{
+    for (int law = 0; law < PW_LAWS; law++) {
+        struct fixture fx;
+        fixture_open_curved(&fx, kernel, (enum pw_mechanics)law);
+        if (fx.known) {
+            check_values(&fx);
+            check_round_off(&fx);
+            check_rigid(&fx);
+            if (law == PW_AVERAGE) {
+                check_strain(&fx);
+                check_mass(&fx);
+            }
+        }
+        fixture_close(&fx);
+    }
+}
+
 static int built_in(const char *name)
 {
     for (int i = 0; hobe_kernels()[i]; i++)
@@ -64,7 +83,9 @@ int main(int argc, char **argv)
             check_evaluator(&element);
     }
     for (int i = 0; hobe_kernels()[i]; i++)
-        if (asked(argc, argv, hobe_kernels()[i]->name))
+        if (asked(argc, argv, hobe_kernels()[i]->name)) {
             check_kernel(hobe_kernels()[i]);
+            check_curved(hobe_kernels()[i]);
+        }
     return check_report() ? EXIT_FAILURE : EXIT_SUCCESS;
 }
