@@ -5,6 +5,7 @@
 
 extern const struct hobe_kernel hobe_kernel_3333;
 extern const struct hobe_kernel hobe_kernel_3333w;
+extern const struct hobe_kernel hobe_kernel_3333w3;
 extern const struct hobe_kernel hobe_kernel_3363;
 extern const struct hobe_kernel hobe_kernel_3433;
 extern const struct hobe_kernel hobe_kernel_3433w;
@@ -17,10 +18,12 @@ extern const struct hobe_kernel hobe_kernel_BE42;
 extern const struct hobe_kernel hobe_kernel_MGD30;
 extern const struct hobe_kernel hobe_kernel_MGD30w;
 extern const struct hobe_kernel hobe_kernel_MGD30w_II;
+extern const struct hobe_kernel hobe_kernel_MGD30w3;
 
 static const struct hobe_kernel *const portable[] = {
     &hobe_kernel_3333,
     &hobe_kernel_3333w,
+    &hobe_kernel_3333w3,
     &hobe_kernel_3363,
     &hobe_kernel_3433,
     &hobe_kernel_3433w,
@@ -33,12 +36,14 @@ static const struct hobe_kernel *const portable[] = {
     &hobe_kernel_MGD30,
     &hobe_kernel_MGD30w,
     &hobe_kernel_MGD30w_II,
+    &hobe_kernel_MGD30w3,
     NULL,
 };
 
 #ifdef HOBE_AVX2
 extern const struct hobe_kernel hobe_kernel_3333_avx2;
 extern const struct hobe_kernel hobe_kernel_3333w_avx2;
+extern const struct hobe_kernel hobe_kernel_3333w3_avx2;
 extern const struct hobe_kernel hobe_kernel_3363_avx2;
 extern const struct hobe_kernel hobe_kernel_3433_avx2;
 extern const struct hobe_kernel hobe_kernel_3433w_avx2;
@@ -51,10 +56,12 @@ extern const struct hobe_kernel hobe_kernel_BE42_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30w_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30w_II_avx2;
+extern const struct hobe_kernel hobe_kernel_MGD30w3_avx2;
 
 static const struct hobe_kernel *const avx2[] = {
     &hobe_kernel_3333_avx2,
     &hobe_kernel_3333w_avx2,
+    &hobe_kernel_3333w3_avx2,
     &hobe_kernel_3363_avx2,
     &hobe_kernel_3433_avx2,
     &hobe_kernel_3433w_avx2,
@@ -67,6 +74,7 @@ static const struct hobe_kernel *const avx2[] = {
     &hobe_kernel_MGD30_avx2,
     &hobe_kernel_MGD30w_avx2,
     &hobe_kernel_MGD30w_II_avx2,
+    &hobe_kernel_MGD30w3_avx2,
     NULL,
 };
 #endif

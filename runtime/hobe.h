@@ -35,7 +35,12 @@ enum hobe_warping {
  *
  * Its function w is Saint-Venant's warping function, r_w = -kappa e_x.  On outlines it is made
  * orthogonal to 1, y and z over the section, which makes it that of a twist about the shear centre;
- * in an element the slopes y and z hold the difference. */
+ * in an element the slopes y and z hold the difference.
+ *
+ * Its functions wy and wz are those of bending shear: psi_y with -div grad psi_y = y in the section
+ * and no flux through its outline, made orthogonal to 1, y, z and w; wz from z alike, and to wy.
+ * Their shear balances the growth of the axial stress E kappa y along a beam without coupling
+ * to the transverse strains, as the element's elastic law has it. */
 typedef struct hobe_section hobe_section;
 
 struct hobe_section_properties {
@@ -48,6 +53,9 @@ struct hobe_section_properties {
     double Iw;            /* warping constant, int w^2 dA, m^6 */
     double ys, zs;        /* shear centre (Trefftz) from the centroid, m */
     double Wagner;        /* int r^4 dA - (int r^2 dA)^2/A, r from the shear centre, m^6 */
+    double ky, kz, kyz;   /* shear correction: the energy of shear forces Vy, Vz through the shear
+                             centre is (Vy^2/ky + Vz^2/kz + 2 kyz Vy Vz)/(2 G A) per length, with
+                             wy and wz; kyz = 0 where y or z is an axis of symmetry */
     double width, height; /* extent along y and z, m */
 };
 
@@ -97,7 +105,7 @@ void hobe_section_properties(const hobe_section *section, struct hobe_section_pr
 /* One line about the section and its warping function, for reports. */
 const char *hobe_section_text(const hobe_section *section);
 
-/* Values of the section function `name` at (y, z): f[3] = f, df/dy, df/dz.  HOBE_UNKNOWN when the
+/* Values of the section function `name`, "w", "wy" or "wz", at (y, z): f[3] = f, df/dy, df/dz.  HOBE_UNKNOWN when the
  * section has no such function. */
 enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
                                        double z, double *f, struct hobe_error *err);

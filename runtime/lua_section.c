@@ -28,6 +28,12 @@ static const struct hobe_lua_field fields[] = {
     PROPERTY(zs, "m", "the same, z"),
     PROPERTY(Wagner, "m^6",
              "Wagner constant: integral of r^4 - (integral of r^2)^2/A, r from the shear centre"),
+    PROPERTY(ky, NULL, "shear correction factor along y, with wy: 1/ky is the energy of a shear force "
+                     "over that of an even shear stress"),
+    PROPERTY(kz, NULL, "the same along z, with wz"),
+    PROPERTY(kyz, NULL,
+             "couples them: the energy of Vy and Vz through the shear centre is "
+             "(Vy^2/ky + Vz^2/kz + 2 kyz Vy Vz)/(2 G A)"),
     PROPERTY(width, "m", "extent along y"),
     PROPERTY(height, "m", "extent along z"),
     {0}};

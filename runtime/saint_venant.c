@@ -127,20 +127,23 @@ static void matrix_compress(struct matrix *m, int n)
     m->start[n] = to;
 }
 
-/* K_ij = int grad N_i . grad N_j dA; b_i = int (y N_i,z - z N_i,y) dA, which is the boundary
- * condition's integral along the outline since (-z, y) has no divergence.  Node 0 is held at 0. */
+/* K_ij = int grad N_i . grad N_j dA and the right sides b[HOBE_SECTION_FUNCTIONS][nodes]:
+ * int (y N_i,z - z N_i,y) dA, which is the boundary condition's integral along the outline since
+ * (-z, y) has no divergence; int y N_i dA; int z N_i dA.  Node 0 is held at 0. */
 static void assemble(const struct hobe_mesh *mesh, struct matrix *K, double *b)
 {
-    static const double middle[3][3] = {{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}};
+    const int nodes = mesh->nodes;
     for (int t = 0; t < mesh->triangles; t++) {
         const int *n = mesh->triangle[t];
-        double k[NODES][NODES] = {{0}}, N[NODES], dN[NODES][2], p[2];
-        for (int g = 0; g < 3; g++) { /* exact for degree 2 */
-            const double weight = area(mesh, t) / 3;
-            shape(mesh, t, middle[g], N, dN);
-            place(mesh, t, middle[g], p);
+        double k[NODES][NODES] = {{0}}, L[3], N[NODES], dN[NODES][2], p[2];
+        for (int g = 0; g < POINTS; g++) {
+            const double weight = area(mesh, t) * cubature(g, L);
+            shape(mesh, t, L, N, dN);
+            place(mesh, t, L, p);
             for (int i = 0; i < NODES; i++) {
-                b[n[i]] += weight * (p[0] * dN[i][1] - p[1] * dN[i][0]);
+                b[HOBE_W * nodes + n[i]] += weight * (p[0] * dN[i][1] - p[1] * dN[i][0]);
+                b[HOBE_WY * nodes + n[i]] += weight * p[0] * N[i];
+                b[HOBE_WZ * nodes + n[i]] += weight * p[1] * N[i];
                 for (int j = 0; j < NODES; j++)
                     k[i][j] += weight * (dN[i][0] * dN[j][0] + dN[i][1] * dN[j][1]);
             }
@@ -152,6 +155,7 @@ static void assemble(const struct hobe_mesh *mesh, struct matrix *K, double *b)
     }
 }
 
+/* K x = b for each function; x[HOBE_SECTION_FUNCTIONS][n] holds b before. */
 static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_error *err)
 {
     long column;
@@ -164,67 +168,52 @@ static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_er
                 scale[c] = 1 / sqrt(K->value[p]);
     if (!status)
         status = hobe_linsolve_factor(solver, K->value, scale, &column, err);
-    if (!status)
-        status = hobe_linsolve_solve(solver, x, err);
+    for (int f = 0; !status && f < HOBE_SECTION_FUNCTIONS; f++) {
+        x[f * n] = 0;
+        status = hobe_linsolve_solve(solver, x + f * n, err);
+    }
     hobe_linsolve_free(solver);
     hobe_free(scale);
     return status;
 }
 
-/* int of the field dA over int dA: only the middles of sides count. */
-static double mean(const struct hobe_mesh *mesh, const double *w)
-{
-    double sum = 0, A = 0;
-    for (int t = 0; t < mesh->triangles; t++) {
-        const double a = area(mesh, t);
-        for (int i = 3; i < NODES; i++)
-            sum += a / 3 * w[mesh->triangle[t][i]];
-        A += a;
-    }
-    return sum / A;
-}
-
-enum hobe_status hobe_saint_venant(const struct hobe_mesh *mesh, double *w, double *energy,
+enum hobe_status hobe_saint_venant(const struct hobe_mesh *mesh, double *values, double *energy,
                                    struct hobe_error *err)
 {
-    const int n = mesh->nodes;
+    const size_t n = (size_t)mesh->nodes, all = HOBE_SECTION_FUNCTIONS * n;
     struct matrix K;
-    double *b = hobe_alloc((size_t)n, sizeof *b, err);
+    double *b = hobe_alloc(all, sizeof *b, err);
     enum hobe_status status = matrix_new(mesh, &K, err);
     if (!status && b) {
         assemble(mesh, &K, b);
-        matrix_compress(&K, n);
-        memcpy(w, b, (size_t)n * sizeof *w);
-        w[0] = 0;
-        status = solve(n, &K, w, err);
+        matrix_compress(&K, mesh->nodes);
+        memcpy(values, b, all * sizeof *b);
+        status = solve(mesh->nodes, &K, values, err);
     } else
         status = HOBE_NO_MEMORY;
-    if (!status) {
-        *energy = 0;
-        for (int i = 0; i < n; i++)
-            *energy += w[i] * b[i];
-        const double level = mean(mesh, w);
-        for (int i = 0; i < n; i++)
-            w[i] -= level;
-    }
+    *energy = 0;
+    for (size_t i = 0; !status && i < n; i++)
+        *energy += values[HOBE_W * n + i] * b[HOBE_W * n + i];
     matrix_free(&K);
     hobe_free(b);
     return status;
 }
 
-/* ---- the field anywhere --------------------------------------------------------------------- */
+/* ---- the fields anywhere -------------------------------------------------------------------- */
 
-static void evaluate(const struct hobe_mesh *mesh, int triangle, const double *w, const double L[3],
-                     double *f)
+static void evaluate(const struct hobe_mesh *mesh, int triangle, const double *values,
+                     const double L[3], double (*f)[4])
 {
     double N[NODES], dN[NODES][2];
     shape(mesh, triangle, L, N, dN);
-    f[0] = f[1] = f[2] = 0;
-    for (int i = 0; i < NODES; i++) {
-        const double value = w[mesh->triangle[triangle][i]];
-        f[0] += N[i] * value;
-        f[1] += dN[i][0] * value;
-        f[2] += dN[i][1] * value;
+    for (int k = 0; k < HOBE_SECTION_FUNCTIONS; k++) {
+        f[k][0] = f[k][1] = f[k][2] = 0;
+        for (int i = 0; i < NODES; i++) {
+            const double value = values[k * mesh->nodes + mesh->triangle[triangle][i]];
+            f[k][0] += N[i] * value;
+            f[k][1] += dN[i][0] * value;
+            f[k][2] += dN[i][1] * value;
+        }
     }
 }
 
@@ -259,7 +248,8 @@ static double approach(const struct hobe_mesh *mesh, int triangle, const double 
     return nearest;
 }
 
-void hobe_mesh_field(const struct hobe_mesh *mesh, const double *w, double y, double z, double *f)
+void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double y, double z,
+                      double (*f)[4])
 {
     const double p[2] = {y, z};
     double nearest = INFINITY, best[3] = {1, 0, 0}, L[3];
@@ -272,10 +262,10 @@ void hobe_mesh_field(const struct hobe_mesh *mesh, const double *w, double y, do
             memcpy(best, L, sizeof best);
         }
     }
-    evaluate(mesh, triangle, w, best, f);
+    evaluate(mesh, triangle, values, best, f);
 }
 
-enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *w,
+enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *values,
                                 struct hobe_rule *rule, struct hobe_error *err)
 {
     const int points = POINTS * mesh->triangles;
@@ -289,7 +279,7 @@ enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *w,
         place(mesh, t, L, p);
         at->y = p[0];
         at->z = p[1];
-        evaluate(mesh, t, w, L, at->f[0]);
+        evaluate(mesh, t, values, L, at->f);
     }
     return HOBE_OK;
 }

@@ -43,15 +43,46 @@ void hobe_rule_free(struct hobe_rule *rule)
     *rule = (struct hobe_rule){0};
 }
 
-/* Sections know one function, w. */
+/* The slot of a function; HOBE_SECTION_FUNCTIONS when there is none of that name. */
+static int find_function(const char *name)
+{
+    static const char *const names[] = {[HOBE_W] = "w", [HOBE_WY] = "wy", [HOBE_WZ] = "wz"};
+    int i = 0;
+    while (i < HOBE_SECTION_FUNCTIONS && strcmp(name, names[i]) != 0)
+        i++;
+    return i;
+}
+
 static enum hobe_status check_functions(const struct hobe_kernel *kernel, struct hobe_error *err)
 {
     for (int i = 0; i < kernel->functions; i++)
-        if (strcmp(kernel->function[i], "w") != 0)
+        if (find_function(kernel->function[i]) == HOBE_SECTION_FUNCTIONS)
             return hobe_fail(err, HOBE_UNKNOWN, NULL,
-                             "element %s uses the section function %s, sections have only w",
+                             "element %s uses the section function %s, sections have w, wy and wz",
                              kernel->name, kernel->function[i]);
     return HOBE_OK;
+}
+
+int hobe_section_bends(const struct hobe_kernel *kernel)
+{
+    for (int i = 0; i < kernel->functions; i++)
+        if (find_function(kernel->function[i]) != HOBE_W)
+            return 1;
+    return 0;
+}
+
+/* Puts the functions of each point from the section's order into the kernel's. */
+static void arrange(struct hobe_rule *rule, const struct hobe_kernel *kernel)
+{
+    int slot[HOBE_MAX_FUNCTIONS];
+    for (int i = 0; i < kernel->functions; i++)
+        slot[i] = find_function(kernel->function[i]);
+    for (int p = 0; p < rule->rule.points; p++) {
+        struct hobe_section_point *at = rule->point + p, from = *at;
+        memset(at->f, 0, sizeof at->f);
+        for (int i = 0; i < kernel->functions; i++)
+            memcpy(at->f[i], from.f[slot[i]], sizeof at->f[i]);
+    }
 }
 
 enum hobe_status hobe_section_rule(const hobe_section *section, const struct hobe_kernel *kernel,
@@ -61,12 +92,16 @@ enum hobe_status hobe_section_rule(const hobe_section *section, const struct hob
 {
     (void)place;
     *rule = (struct hobe_rule){0};
-    const enum hobe_status status = check_functions(kernel, err);
-    return status ? status : section->kind->rule(section, kernel, integration, rule, err);
+    enum hobe_status status = check_functions(kernel, err);
+    if (!status)
+        status = section->kind->rule(section, kernel, integration, rule, err);
+    if (!status)
+        arrange(rule, kernel);
+    return status;
 }
 
-/* The centroid need not lie in the material; w is then that of the nearest point, or of the branch
- * of the closed form that continues there. */
+/* The centroid need not lie in the material; functions are then those of the nearest point, or of
+ * the branch of the closed form that continues there. */
 enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_kernel *kernel,
                                 enum hobe_integration integration,
                                 const struct hobe_section_place *place, struct hobe_rule *rule,
@@ -81,8 +116,9 @@ enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_k
         return status;
     rule->point->weight = section->properties.A;
     if (kernel->functions)
-        section->kind->warping(section, integration == HOBE_INTEGRATION_PAPER, 0, 0,
-                               rule->point->f[0]);
+        section->kind->functions(section, integration == HOBE_INTEGRATION_PAPER, 0, 0,
+                                 rule->point->f);
+    arrange(rule, kernel);
     return HOBE_OK;
 }
 
@@ -92,22 +128,63 @@ int hobe_section_varies(const hobe_section *section)
     return 0;
 }
 
+/* Fields of shear on the section: a unit twist, unit shears, gradients of the functions. */
+enum { TWIST, SHEAR_Y, SHEAR_Z, GRADIENT, FIELDS = GRADIENT + HOBE_SECTION_FUNCTIONS };
+
+/* S_ij = int g_i . g_j dA of the fields g. */
+static void shear_energy(const struct hobe_rule *rule, double S[FIELDS][FIELDS])
+{
+    memset(S, 0, sizeof(double[FIELDS][FIELDS]));
+    for (int p = 0; p < rule->rule.points; p++) {
+        const struct hobe_section_point *at = rule->point + p;
+        double g[FIELDS][2] = {[TWIST] = {-at->z, at->y}, [SHEAR_Y] = {1, 0}, [SHEAR_Z] = {0, 1}};
+        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
+            memcpy(g[GRADIENT + f], at->f[f] + 1, sizeof g[GRADIENT + f]);
+        for (int i = 0; i < FIELDS; i++)
+            for (int j = 0; j < FIELDS; j++)
+                S[i][j] += at->weight * (g[i][0] * g[j][0] + g[i][1] * g[j][1]);
+    }
+}
+
+/* Gives field k the amplitude of least energy, whatever the others have. */
+static void release(double S[FIELDS][FIELDS], int k)
+{
+    const double pivot = S[k][k];
+    double row[FIELDS];
+    if (!(pivot > 0))
+        return; /* the section has no such function */
+    memcpy(row, S[k], sizeof row);
+    for (int i = 0; i < FIELDS; i++)
+        for (int j = 0; j < FIELDS; j++)
+            S[i][j] -= row[i] * row[j] / pivot;
+}
+
 void hobe_section_set_warping(hobe_section *section, const struct hobe_rule *rule)
 {
     struct hobe_section_properties *p = &section->properties;
-    double b = 0, c = 0, mean[2] = {0, 0};
+    double S[FIELDS][FIELDS];
+    shear_energy(rule, S);
+    release(S, GRADIENT + HOBE_W);
+    release(S, SHEAR_Y);
+    release(S, SHEAR_Z);
+    p->J_w = S[TWIST][TWIST];
     p->Iw = 0;
-    for (int i = 0; i < rule->rule.points; i++) {
-        const struct hobe_section_point *at = rule->point + i;
-        const double *f = at->f[0];
-        b += at->weight * (at->z * f[1] - at->y * f[2]);
-        c += at->weight * (f[1] * f[1] + f[2] * f[2]);
-        for (int a = 0; a < 2; a++)
-            mean[a] += at->weight * f[1 + a] / p->A;
-        p->Iw += at->weight * f[0] * f[0];
-    }
-    c -= p->A * (mean[0] * mean[0] + mean[1] * mean[1]);
-    p->J_w = p->Iyy + p->Izz - (c > 0 ? b * b / c : 0);
+    for (int i = 0; i < rule->rule.points; i++)
+        p->Iw += rule->point[i].weight * rule->point[i].f[HOBE_W][0] * rule->point[i].f[HOBE_W][0];
+}
+
+void hobe_section_set_shear(hobe_section *section, const struct hobe_rule *rule)
+{
+    struct hobe_section_properties *p = &section->properties;
+    double S[FIELDS][FIELDS];
+    shear_energy(rule, S);
+    for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
+        release(S, GRADIENT + f);
+    const double yy = S[SHEAR_Y][SHEAR_Y] / p->A, zz = S[SHEAR_Z][SHEAR_Z] / p->A;
+    const double yz = S[SHEAR_Y][SHEAR_Z] / p->A, determinant = yy * zz - yz * yz;
+    p->ky = determinant / zz;
+    p->kz = determinant / yy;
+    p->kyz = -yz / determinant;
 }
 
 enum hobe_status hobe_section_no_paper(const char *what, struct hobe_error *err)
@@ -138,8 +215,12 @@ const char *hobe_section_text(const hobe_section *section)
 enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
                                        double z, double *f, struct hobe_error *err)
 {
-    if (strcmp(name, "w") != 0)
-        return hobe_fail(err, HOBE_UNKNOWN, NULL, "a section has no function %s, only w", name);
-    section->kind->warping(section, 0, y, z, f);
+    const int function = find_function(name);
+    double all[HOBE_SECTION_FUNCTIONS][4] = {{0}};
+    if (function == HOBE_SECTION_FUNCTIONS)
+        return hobe_fail(err, HOBE_UNKNOWN, NULL,
+                         "a section has no function %s; it has w, wy and wz", name);
+    section->kind->functions(section, 0, y, z, all);
+    memcpy(f, all[function], 3 * sizeof *f);
     return HOBE_OK;
 }

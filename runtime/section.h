@@ -5,6 +5,10 @@
 
 #include "hobe.h"
 
+/* The functions of a section, in the order in which its kind keeps them: w of torsion, wy and wz of
+ * bending shear along y and z. */
+enum { HOBE_W, HOBE_WY, HOBE_WZ, HOBE_SECTION_FUNCTIONS };
+
 /* A cubature rule that owns its points. */
 struct hobe_rule {
     struct hobe_section_rule rule;
@@ -54,12 +58,14 @@ enum hobe_status hobe_gauss(int n, double (*gauss)[2], struct hobe_error *err);
 enum { HOBE_PROBES = 16 };
 
 struct hobe_section_kind {
-    /* The rule of hobe_section_rule.  The kernel names no function but w. */
+    /* The rule of hobe_section_rule, with the section's functions at HOBE_W, HOBE_WY, HOBE_WZ of
+     * each point whatever the kernel calls for. */
     enum hobe_status (*rule)(const hobe_section *section, const struct hobe_kernel *kernel,
                              enum hobe_integration integration, struct hobe_rule *rule,
                              struct hobe_error *err);
-    /* w and its gradient f[3] at (y, z); `paper`: those that go with the paper's integration. */
-    void (*warping)(const hobe_section *section, int paper, double y, double z, double *f);
+    /* The functions and their gradients at (y, z), f[HOBE_SECTION_FUNCTIONS][4]; `paper`: those
+     * that go with the paper's integration.  What the section has not is left alone. */
+    void (*functions)(const hobe_section *section, int paper, double y, double z, double (*f)[4]);
     void (*close)(hobe_section *section); /* frees what the kind added; may be NULL */
 };
 
@@ -71,12 +77,16 @@ struct hobe_section {
     char text[160];
 };
 
-/* Sets J_w and Iw by a rule with w, or J_w = I_p where there is no w.
- *
- * J_w = I_p - b^2/c,  b = int (z w_y - y w_z) dA,  c = int |grad w - mean|^2 dA,
- * the least torsional energy when the amplitude of w and a constant shear are free, as they are in
- * the element. */
+/* Sets Iw and J_w by the w of a rule: the least energy of a unit twist, (-z, y) as a field of
+ * shear, when the amplitude of w and a constant shear are free, as they are in an element. */
 void hobe_section_set_warping(hobe_section *section, const struct hobe_rule *rule);
+
+/* Sets ky, kz and kyz by the functions of a rule: A k is the least energy of unit shears when the
+ * amplitudes of the functions are free.  Functions that vanish do not matter. */
+void hobe_section_set_shear(hobe_section *section, const struct hobe_rule *rule);
+
+/* Whether the kernel has functions of bending shear. */
+int hobe_section_bends(const struct hobe_kernel *kernel);
 
 /* HOBE_BAD_INPUT: this section has no version in the paper. */
 enum hobe_status hobe_section_no_paper(const char *what, struct hobe_error *err);

@@ -14,8 +14,8 @@ struct shape {
     struct hobe_section base;
     struct hobe_outline outline; /* about its centroid */
     struct hobe_mesh mesh;
-    double *w; /* [mesh.nodes] */
-    struct hobe_rule warping_rule;
+    double *values; /* of the functions, [HOBE_SECTION_FUNCTIONS][mesh.nodes] */
+    struct hobe_rule functions_rule;
     struct hobe_parts parts;
     int paper; /* w is the parts' */
 };
@@ -79,7 +79,7 @@ static enum hobe_status parts_rule(const struct hobe_parts *parts, int n, struct
         p->y = part->y + (s[0] - 0.5) * part->width;
         p->z = part->z + (t[0] - 0.5) * part->height;
         p->weight = part->width * part->height * s[1] * t[1];
-        branch(part, p->y, p->z, p->f[0]);
+        branch(part, p->y, p->z, p->f[HOBE_W]);
     }
     return status;
 }
@@ -90,18 +90,24 @@ static enum hobe_status rule(const hobe_section *section, const struct hobe_kern
 {
     const struct shape *s = (const struct shape *)section;
     const int degree = s->paper && kernel->functions && kernel->degree < 2 ? 2 : kernel->degree;
+    const int bends = hobe_section_bends(kernel);
     if (integration == HOBE_INTEGRATION_PAPER && !s->parts.count)
         return hobe_section_no_paper("such an outline", err);
+    if (integration == HOBE_INTEGRATION_PAPER && bends)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "the paper's integration of such an outline has its closed form of w, but "
+                         "none of wy and wz, which element %s uses; use integration = \"exact\"",
+                         kernel->name);
     if (integration == HOBE_INTEGRATION_PAPER)
         return parts_rule(&s->parts, PAPER_POINTS, rule, err);
-    if (s->paper)
+    if (s->paper && !bends)
         return parts_rule(&s->parts, 2 * degree + 1, rule, err);
     if (kernel->functions)
-        return hobe_rule_copy(&s->warping_rule, rule, err);
+        return hobe_rule_copy(&s->functions_rule, rule, err);
     return fan_rule(&s->outline, 2 * degree + 1, rule, err);
 }
 
-/* ---- w -------------------------------------------------------------------------------------- */
+/* ---- the functions -------------------------------------------------------------------------- */
 
 static double outside(const struct hobe_part *part, double y, double z)
 {
@@ -109,18 +115,21 @@ static double outside(const struct hobe_part *part, double y, double z)
                  fmax(0, fabs(z - part->z) - part->height / 2));
 }
 
-static void warping(const hobe_section *section, int paper, double y, double z, double *f)
+static void parts_warping(const struct hobe_parts *parts, double y, double z, double *f)
+{
+    const struct hobe_part *nearest = parts->part;
+    for (int i = 1; i < parts->count; i++)
+        if (outside(parts->part + i, y, z) < outside(nearest, y, z))
+            nearest = parts->part + i;
+    branch(nearest, y, z, f);
+}
+
+static void functions(const hobe_section *section, int paper, double y, double z, double (*f)[4])
 {
     const struct shape *s = (const struct shape *)section;
-    if (!paper && !s->paper) {
-        hobe_mesh_field(&s->mesh, s->w, y, z, f);
-        return;
-    }
-    const struct hobe_part *nearest = s->parts.part;
-    for (int i = 1; i < s->parts.count; i++)
-        if (outside(s->parts.part + i, y, z) < outside(nearest, y, z))
-            nearest = s->parts.part + i;
-    branch(nearest, y, z, f);
+    hobe_mesh_fields(&s->mesh, s->values, y, z, f);
+    if (paper || s->paper)
+        parts_warping(&s->parts, y, z, f[HOBE_W]);
 }
 
 static void close_shape(hobe_section *section)
@@ -128,11 +137,11 @@ static void close_shape(hobe_section *section)
     struct shape *s = (struct shape *)section;
     hobe_outline_free(&s->outline);
     hobe_mesh_free(&s->mesh);
-    hobe_free(s->w);
-    hobe_rule_free(&s->warping_rule);
+    hobe_free(s->values);
+    hobe_rule_free(&s->functions_rule);
 }
 
-static const struct hobe_section_kind shape_kind = {rule, warping, close_shape};
+static const struct hobe_section_kind shape_kind = {rule, functions, close_shape};
 
 /* ---- properties ----------------------------------------------------------------------------- */
 
@@ -165,23 +174,70 @@ static void set_probes(struct shape *s)
         memcpy(s->base.probe[i], s->outline.point[i * points / s->base.probes], sizeof(double[2]));
 }
 
-/* Trefftz: the centre of a twist that does not bend.  About (ys, zs) w is w + zs y - ys z, which is
- * orthogonal to y and z when
- *     int w y = ys Iyz - zs Izz,  int w z = ys Iyy - zs Iyz. */
-static void set_shear_centre(struct shape *s)
+/* The functions behind what they are made orthogonal to. */
+enum { ONE, Y, Z, FUNCTION, BASIS = FUNCTION + HOBE_SECTION_FUNCTIONS };
+
+/* G_ij = int g_i g_j dA. */
+static void gram(const struct hobe_rule *rule, double G[BASIS][BASIS])
+{
+    memset(G, 0, sizeof(double[BASIS][BASIS]));
+    for (int p = 0; p < rule->rule.points; p++) {
+        const struct hobe_section_point *at = rule->point + p;
+        double g[BASIS] = {[ONE] = 1, [Y] = at->y, [Z] = at->z};
+        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
+            g[FUNCTION + f] = at->f[f][0];
+        for (int i = 0; i < BASIS; i++)
+            for (int j = 0; j < BASIS; j++)
+                G[i][j] += at->weight * g[i] * g[j];
+    }
+}
+
+static double product(double G[BASIS][BASIS], const double *a, const double *b)
+{
+    double sum = 0;
+    for (int i = 0; i < BASIS; i++)
+        for (int j = 0; j < BASIS; j++)
+            sum += a[i] * G[i][j] * b[j];
+    return sum;
+}
+
+/* Gram and Schmidt: sum_j T_ij g_j is g_i made orthogonal to those before it. */
+static void orthogonalise(double G[BASIS][BASIS], double T[BASIS][BASIS])
+{
+    double square[BASIS];
+    for (int i = 0; i < BASIS; i++) {
+        for (int j = 0; j < BASIS; j++)
+            T[i][j] = i == j;
+        for (int k = 0; k < i; k++) {
+            const double part = square[k] > 0 ? product(G, T[i], T[k]) / square[k] : 0;
+            for (int j = 0; j <= k; j++)
+                T[i][j] -= part * T[k][j];
+        }
+        square[i] = product(G, T[i], T[i]);
+    }
+}
+
+/* Makes the functions orthogonal.  About its centre (ys, zs) the warping of a twist is
+ * w + zs y - ys z; orthogonal to y and z it does not bend, which is Trefftz's shear centre. */
+static void set_functions(struct shape *s)
 {
     struct hobe_section_properties *p = &s->base.properties;
-    const double determinant = p->Iyy * p->Izz - p->Iyz * p->Iyz;
-    double wy = 0, wz = 0;
-    for (int i = 0; i < s->warping_rule.rule.points; i++) {
-        const struct hobe_section_point *at = s->warping_rule.point + i;
-        wy += at->weight * at->f[0][0] * at->y;
-        wz += at->weight * at->f[0][0] * at->z;
+    double G[BASIS][BASIS], T[BASIS][BASIS];
+    gram(&s->functions_rule, G);
+    orthogonalise(G, T);
+    p->zs = T[FUNCTION + HOBE_W][Y];
+    p->ys = -T[FUNCTION + HOBE_W][Z];
+    for (int n = 0; n < s->mesh.nodes; n++) {
+        double g[BASIS] = {[ONE] = 1, [Y] = s->mesh.node[n][0], [Z] = s->mesh.node[n][1]};
+        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
+            g[FUNCTION + f] = s->values[f * s->mesh.nodes + n];
+        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++) {
+            double *value = s->values + f * s->mesh.nodes + n;
+            *value = 0;
+            for (int j = 0; j <= FUNCTION + f; j++)
+                *value += T[FUNCTION + f][j] * g[j];
+        }
     }
-    p->ys = (p->Izz * wz - p->Iyz * wy) / determinant;
-    p->zs = (p->Iyz * wz - p->Iyy * wy) / determinant;
-    for (int i = 0; i < s->mesh.nodes; i++)
-        s->w[i] += p->zs * s->mesh.node[i][0] - p->ys * s->mesh.node[i][1];
 }
 
 static void set_wagner(struct shape *s, const struct hobe_rule *fan)
@@ -197,7 +253,28 @@ static void set_wagner(struct shape *s, const struct hobe_rule *fan)
     p->Wagner = r4 - r2 * r2 / p->A;
 }
 
-/* Mesh, w and everything that needs w. */
+/* On the paper's parts w is theirs.  They have two axes of symmetry, where any such w is orthogonal
+ * to wy and wz.  The mesh does not know where one part ends and another begins, and gives J_w and
+ * Iw of theirs to 1e-4 only; they are integrated part by part. */
+static enum hobe_status set_warping(struct shape *s, struct hobe_error *err)
+{
+    struct hobe_rule rule;
+    if (!s->paper) {
+        hobe_section_set_warping(&s->base, &s->functions_rule);
+        return HOBE_OK;
+    }
+    for (int i = 0; i < s->functions_rule.rule.points; i++) {
+        struct hobe_section_point *at = s->functions_rule.point + i;
+        parts_warping(&s->parts, at->y, at->z, at->f[HOBE_W]);
+    }
+    const enum hobe_status status = parts_rule(&s->parts, 5, &rule, err);
+    if (!status)
+        hobe_section_set_warping(&s->base, &rule);
+    hobe_rule_free(&rule);
+    return status;
+}
+
+/* Mesh, functions and everything that needs them. */
 static enum hobe_status solve(struct shape *s, struct hobe_error *err)
 {
     struct hobe_section_properties *p = &s->base.properties;
@@ -205,19 +282,22 @@ static enum hobe_status solve(struct shape *s, struct hobe_error *err)
     enum hobe_status status = hobe_mesh_outline(&s->outline, &s->mesh, err);
     if (status)
         return status;
-    s->w = hobe_alloc((size_t)s->mesh.nodes, sizeof *s->w, err);
-    if (!s->w)
+    s->values = hobe_alloc(HOBE_SECTION_FUNCTIONS * (size_t)s->mesh.nodes, sizeof *s->values, err);
+    if (!s->values)
         return HOBE_NO_MEMORY;
-    status = hobe_saint_venant(&s->mesh, s->w, &energy, err);
+    status = hobe_saint_venant(&s->mesh, s->values, &energy, err);
     if (!status)
-        status = hobe_mesh_rule(&s->mesh, s->w, &s->warping_rule, err);
+        status = hobe_mesh_rule(&s->mesh, s->values, &s->functions_rule, err);
     if (status)
         return status;
     p->J = p->Iyy + p->Izz - energy;
-    set_shear_centre(s);
-    hobe_rule_free(&s->warping_rule);
-    return s->paper ? parts_rule(&s->parts, 5, &s->warping_rule, err)
-                    : hobe_mesh_rule(&s->mesh, s->w, &s->warping_rule, err);
+    set_functions(s);
+    hobe_rule_free(&s->functions_rule);
+    status = hobe_mesh_rule(&s->mesh, s->values, &s->functions_rule, err);
+    if (status)
+        return status;
+    hobe_section_set_shear(&s->base, &s->functions_rule);
+    return set_warping(s, err);
 }
 
 /* For r^4: 3 x 3 points an edge. */
@@ -236,10 +316,8 @@ static enum hobe_status set_properties(struct shape *s, struct hobe_error *err)
         return status;
     set_moments(s, &fan);
     status = solve(s, err);
-    if (!status) {
+    if (!status)
         set_wagner(s, &fan);
-        hobe_section_set_warping(&s->base, &s->warping_rule);
-    }
     hobe_rule_free(&fan);
     return status;
 }

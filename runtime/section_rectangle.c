@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rectangles and the series of their Saint-Venant warping function. */
+/* Rectangles, the series of their Saint-Venant warping function, and the cubics of their bending
+ * shear. */
 #include "section.h"
 
 #include <math.h>
@@ -7,7 +8,8 @@
 
 enum {
     WARPING_POINTS = 32, /* Gauss points per side or panel for w: J to 1e-8, see tests/runtime.
-                            Of the large rules GSL has but some to full precision: 32, 64, 96 */
+                            Of the large rules GSL has but some to full precision: 32, 64, 96.
+                            More than any polynomial needs */
     PAPER_POINTS = 3,    /* Tang et al. 2022 */
     MAX_TERMS = 300,     /* the torsion constant's tail is below 1/(8 (2 n)^4): 1e-12 */
     MAX_POINTS = 3 * WARPING_POINTS
@@ -35,7 +37,7 @@ struct rectangle {
     struct hobe_section base;
     double width, height;
     struct series series, paper_series;
-    struct hobe_rule warping_rule; /* for w by `series`, kept because w costs most of the set-up */
+    struct hobe_rule functions_rule; /* kept because w costs most of the set-up */
 };
 
 static void set_series(struct series *w, double width, double height, enum hobe_warping warping)
@@ -72,6 +74,27 @@ static void warping(const struct series *w, double y, double z, double *f)
     f[0] = sign * (y * z + sum);
     f[1] = sign * (z + (w->sine_along_y ? sum_s : sum_t));
     f[2] = sign * (y + (w->sine_along_y ? sum_t : sum_s));
+}
+
+/* Bending shear along the side s of length S: psi = S^2 s/8 - s^3/6 has psi'' = -s and psi' = 0 at
+ * its ends; without its part along s. */
+static void flexure(double length, double s, double *value, double *slope)
+{
+    const double a = length / 2;
+    *value = s * (a * a / 10 - s * s / 6);
+    *slope = a * a / 10 - s * s / 2;
+}
+
+static void functions(const struct rectangle *r, int paper, double y, double z, double (*f)[4])
+{
+    warping(paper ? &r->paper_series : &r->series, y, z, f[HOBE_W]);
+    flexure(r->width, y, &f[HOBE_WY][0], &f[HOBE_WY][1]);
+    flexure(r->height, z, &f[HOBE_WZ][0], &f[HOBE_WZ][2]);
+}
+
+static void functions_at(const hobe_section *section, int paper, double y, double z, double (*f)[4])
+{
+    functions((const struct rectangle *)section, paper, y, z, f);
 }
 
 /* Saint-Venant's torsion constant of a rectangle a >= b:
@@ -119,13 +142,12 @@ static enum hobe_status side_rule(struct side *side, int n, double length, doubl
     return status ? status : add_panel(side, n, inner, half, err);
 }
 
-/* The product of n Gauss points per side with the values of `functions` section functions. */
-static enum hobe_status product_rule(const struct rectangle *section, const struct series *series,
-                                     int functions, int n, struct hobe_rule *rule,
+/* The product of n Gauss points per side; fill_functions adds the functions. */
+static enum hobe_status product_rule(const struct rectangle *section, int n, struct hobe_rule *rule,
                                      struct hobe_error *err)
 {
     const double W = section->width, H = section->height;
-    const int layers = functions && n == WARPING_POINTS;
+    const int layers = n == WARPING_POINTS;
     struct side y, z;
     *rule = (struct hobe_rule){0};
     enum hobe_status status = side_rule(&y, n, W, H, layers, err);
@@ -141,10 +163,16 @@ static enum hobe_status product_rule(const struct rectangle *section, const stru
             p->y = y.at[i][0];
             p->z = z.at[j][0];
             p->weight = y.at[i][1] * z.at[j][1];
-            if (functions)
-                warping(series, p->y, p->z, p->f[0]);
         }
     return HOBE_OK;
+}
+
+static void fill_functions(const struct rectangle *section, int paper, struct hobe_rule *rule)
+{
+    for (int i = 0; i < rule->rule.points; i++) {
+        struct hobe_section_point *p = rule->point + i;
+        functions(section, paper, p->y, p->z, p->f);
+    }
 }
 
 static enum hobe_status rule(const hobe_section *section, const struct hobe_kernel *kernel,
@@ -152,26 +180,22 @@ static enum hobe_status rule(const hobe_section *section, const struct hobe_kern
                              struct hobe_error *err)
 {
     const struct rectangle *r = (const struct rectangle *)section;
-    if (integration == HOBE_INTEGRATION_PAPER)
-        return product_rule(r, &r->paper_series, kernel->functions, PAPER_POINTS, rule, err);
-    if (kernel->functions)
-        return hobe_rule_copy(&r->warping_rule, rule, err);
+    const int paper = integration == HOBE_INTEGRATION_PAPER;
     const int exact = 2 * kernel->degree + 1; /* for polynomials of degree 4 * kernel->degree */
-    return product_rule(r, NULL, 0, exact, rule, err);
-}
-
-static void warping_at(const hobe_section *section, int paper, double y, double z, double *f)
-{
-    const struct rectangle *r = (const struct rectangle *)section;
-    warping(paper ? &r->paper_series : &r->series, y, z, f);
+    if (kernel->functions && !paper)
+        return hobe_rule_copy(&r->functions_rule, rule, err);
+    const enum hobe_status status = product_rule(r, paper ? PAPER_POINTS : exact, rule, err);
+    if (!status && paper)
+        fill_functions(r, paper, rule);
+    return status;
 }
 
 static void close_rectangle(hobe_section *section)
 {
-    hobe_rule_free(&((struct rectangle *)section)->warping_rule);
+    hobe_rule_free(&((struct rectangle *)section)->functions_rule);
 }
 
-static const struct hobe_section_kind rectangle_kind = {rule, warping_at, close_rectangle};
+static const struct hobe_section_kind rectangle_kind = {rule, functions_at, close_rectangle};
 
 /* int r^4 dA - I_p^2/A */
 static double wagner(double W, double H)
@@ -224,10 +248,12 @@ hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warp
     set_series(&r->series, width, height, warping);
     set_series(&r->paper_series, width, height, HOBE_WARPING_PAPER);
     set_base(r, warping);
-    if (product_rule(r, &r->series, 1, WARPING_POINTS, &r->warping_rule, err)) {
+    if (product_rule(r, WARPING_POINTS, &r->functions_rule, err)) {
         hobe_section_free(&r->base);
         return NULL;
     }
-    hobe_section_set_warping(&r->base, &r->warping_rule);
+    fill_functions(r, 0, &r->functions_rule);
+    hobe_section_set_warping(&r->base, &r->functions_rule);
+    hobe_section_set_shear(&r->base, &r->functions_rule);
     return &r->base;
 }

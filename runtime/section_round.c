@@ -1,58 +1,127 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Circles and round tubes: w vanishes, and cubature in polar coordinates is exact. */
+/* Circles and round tubes: w vanishes, wy and wz are known, and cubature in polar coordinates is
+ * exact. */
 #include "section.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
-enum { MAX_RADII = 64 };
+enum {
+    MAX_RADII = 64,
+    CUBIC = 3 /* degree of wy and wz */
+};
 
 struct ring {
     struct hobe_section base;
     double outer, inner;
 };
 
-/* For polynomials of degree 4 k: Gauss points in r^2, where even powers of r are polynomials of
- * degree 2 k, times equally spaced angles.  Odd powers come with angles that cancel. */
+/* Positions and weights of r dr on the radii: g[n][2]. */
+typedef enum hobe_status radii(const struct ring *ring, int n, double (*g)[2],
+                               struct hobe_error *err);
+
+/* Gauss points in r^2, where even powers of r are polynomials of half the degree. */
+static enum hobe_status square_radii(const struct ring *ring, int n, double (*g)[2],
+                                     struct hobe_error *err)
+{
+    const double from = ring->inner * ring->inner, to = ring->outer * ring->outer;
+    const enum hobe_status status = hobe_gauss(n, g, err);
+    for (int i = 0; !status && i < n; i++) {
+        g[i][0] = sqrt(from + (to - from) * g[i][0]);
+        g[i][1] *= (to - from) / 2;
+    }
+    return status;
+}
+
+/* Gauss points in log r: positive and negative powers of r are exponentials, which converge fast
+ * however small the bore (64 points: to round-off for radii of 10000 : 1). */
+static enum hobe_status log_radii(const struct ring *ring, int n, double (*g)[2],
+                                  struct hobe_error *err)
+{
+    const double length = log(ring->outer / ring->inner);
+    const enum hobe_status status = hobe_gauss(n, g, err);
+    for (int i = 0; !status && i < n; i++) {
+        g[i][0] = ring->inner * exp(length * g[i][0]);
+        g[i][1] *= length * g[i][0] * g[i][0];
+    }
+    return status;
+}
+
+/* Those radii times as many equally spaced angles as cancel every odd power up to the degree. */
+static enum hobe_status polar_rule(const struct ring *ring, radii *set_radii, int n, int angles,
+                                   struct hobe_rule *rule, struct hobe_error *err)
+{
+    double g[MAX_RADII][2];
+    enum hobe_status status = set_radii(ring, n, g, err);
+    if (!status)
+        status = hobe_rule_new(rule, (size_t)(n * angles), err);
+    for (int i = 0; !status && i < n * angles; i++) {
+        struct hobe_section_point *p = rule->point + i;
+        const double *at = g[i / angles], angle = 2 * M_PI * (i % angles) / angles;
+        p->y = at[0] * cos(angle);
+        p->z = at[0] * sin(angle);
+        p->weight = 2 * M_PI * at[1] / angles;
+    }
+    return status;
+}
+
+/* Bending shear: psi = (a r + b r^3 + c/r) cos t has -div grad psi = r cos t = y with b = -1/8, and
+ * no flux through the radii with c = 3/8 ri^2 ro^2 and an a that its part along y takes away:
+ * wy = y g(r^2), g(s) = a + b s + c/s with int y wy dA = 0.  Into the bore it goes on linearly. */
+static void functions(const hobe_section *section, int paper, double y, double z, double (*f)[4])
+{
+    const struct ring *ring = (const struct ring *)section;
+    const double R2 = ring->outer * ring->outer, r2 = ring->inner * ring->inner;
+    const double b = -1. / 8, c = 3. / 8 * r2 * R2;
+    const double a = -(b * 2 / 3 * (R2 * R2 + R2 * r2 + r2 * r2) + 2 * c) / (R2 + r2);
+    const double s = y * y + z * z, at = fmax(s, r2), over = c > 0 ? c / at : 0;
+    const double g = a + b * at + over, slope = s < r2 ? 0 : 2 * (b - (c > 0 ? over / at : 0));
+    const double wy[3] = {y * g, g + slope * y * y, slope * y * z};
+    const double wz[3] = {z * g, slope * y * z, g + slope * z * z};
+    (void)paper;
+    memcpy(f[HOBE_WY], wy, sizeof wy);
+    memcpy(f[HOBE_WZ], wz, sizeof wz);
+}
+
+static enum hobe_status functions_rule(const struct ring *ring, int degree, struct hobe_rule *rule,
+                                       struct hobe_error *err)
+{
+    const int angles = 4 * degree + 1;
+    const enum hobe_status status =
+        ring->inner > 0 ? polar_rule(ring, log_radii, MAX_RADII, angles, rule, err)
+                        : polar_rule(ring, square_radii, degree + 1, angles, rule, err);
+    for (int i = 0; !status && i < rule->rule.points; i++) {
+        struct hobe_section_point *p = rule->point + i;
+        functions(&ring->base, 0, p->y, p->z, p->f);
+    }
+    return status;
+}
+
+/* For polynomials of degree 4 k, and wy and wz as they are or cubics. */
 static enum hobe_status rule(const hobe_section *section, const struct hobe_kernel *kernel,
                              enum hobe_integration integration, struct hobe_rule *rule,
                              struct hobe_error *err)
 {
     const struct ring *ring = (const struct ring *)section;
-    const int degree = 4 * kernel->degree, radii = kernel->degree + 1, angles = degree + 1;
-    const double from = ring->inner * ring->inner, to = ring->outer * ring->outer;
-    double gauss[MAX_RADII][2];
+    const int degree = kernel->degree, angles = 4 * degree + 1;
     if (integration == HOBE_INTEGRATION_PAPER)
         return hobe_section_no_paper(ring->inner > 0 ? "a tube" : "a circle", err);
-    if (radii > MAX_RADII)
+    if (degree >= MAX_RADII)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "element %s has modes of degree %d, at most %d",
-                         kernel->name, kernel->degree, MAX_RADII - 1);
-    enum hobe_status status = hobe_gauss(radii, gauss, err);
-    if (!status)
-        status = hobe_rule_new(rule, (size_t)(radii * angles), err);
-    for (int i = 0; !status && i < radii * angles; i++) {
-        struct hobe_section_point *p = rule->point + i;
-        const double *g = gauss[i / angles], angle = 2 * M_PI * (i % angles) / angles;
-        const double r = sqrt(from + (to - from) * g[0]);
-        p->y = r * cos(angle);
-        p->z = r * sin(angle);
-        p->weight = M_PI * (to - from) * g[1] / angles;
-    }
-    return status;
+                         kernel->name, degree, MAX_RADII - 1);
+    if (hobe_section_bends(kernel))
+        return functions_rule(ring, degree > CUBIC ? degree : CUBIC, rule, err);
+    return polar_rule(ring, square_radii, degree + 1, angles, rule, err);
 }
 
-static void no_warping(const hobe_section *section, int paper, double y, double z, double *f)
-{
-    (void)section, (void)paper, (void)y, (void)z;
-    f[0] = f[1] = f[2] = 0;
-}
-
-static const struct hobe_section_kind ring_kind = {rule, no_warping, NULL};
+static const struct hobe_section_kind ring_kind = {rule, functions, NULL};
 
 static hobe_section *ring(double outer, double inner, struct hobe_error *err)
 {
     const double R2 = outer * outer, r2 = inner * inner;
     const double A = M_PI * (R2 - r2), I = A * (R2 + r2) / 4;
+    struct hobe_rule rule;
     struct ring *made = hobe_alloc(1, sizeof *made, err);
     if (!made)
         return NULL;
@@ -74,6 +143,12 @@ static hobe_section *ring(double outer, double inner, struct hobe_error *err)
         made->base.probe[i][0] = outer * cos(i * M_PI / 4);
         made->base.probe[i][1] = outer * sin(i * M_PI / 4);
     }
+    if (functions_rule(made, CUBIC, &rule, err)) {
+        hobe_section_free(&made->base);
+        return NULL;
+    }
+    hobe_section_set_shear(&made->base, &rule);
+    hobe_rule_free(&rule);
     return &made->base;
 }
 

@@ -36,9 +36,10 @@ static int has_mode(const struct hobe_kernel *k, const char *name)
  *
  *     v = a y + p y^3/6 + q y z^2/2,   w = b z + r z^3/6 + s z y^2/2
  *
- * (no other cubic mode helps).  Energy per length under unit strain of the axis, least over the six
- * amplitudes: 1/2 int E (eyy^2 + ezz^2) + G gyz^2 dA + 1/2 A e:Enu:e on the axis, e = (1, a, b). */
-static double axis_stretch(const struct hobe_section_properties *p)
+ * (no other cubic mode helps), of which wy and wz hold the terms p and r alone.  Energy per length
+ * under unit strain of the axis, least over the amplitudes: 1/2 int E (eyy^2 + ezz^2) + G gyz^2 dA
+ * + 1/2 A e:Enu:e on the axis, e = (1, a, b). */
+static double axis_stretch(const struct hobe_section_properties *p, int mixed_cubics)
 {
     const double G = E / (2 * (1 + NU)), lambda = E * NU / ((1 + NU) * (1 - 2 * NU));
     const double y2 = p->Izz / p->A, z2 = p->Iyy / p->A; /* means of powers over a rectangle */
@@ -59,8 +60,11 @@ static double axis_stretch(const struct hobe_section_properties *p)
             K[2 + 3 * i][2 + 3 * j] += G * yz;
             K[3 * i][3 * j] += i == j ? 2 * lambda * NU : lambda;
         }
-    K[0][6] = K[3][6] = -lambda; /* the right-hand side: the axis' unit strain */
-    for (int i = 0; i < 6; i++)  /* elimination; the matrix is positive definite */
+    for (int i = 0; i < 6 && !mixed_cubics; i++)
+        for (int j = 2; j < 6; j += 3)
+            K[i][j] = K[j][i] = i == j; /* q = s = 0 */
+    K[0][6] = K[3][6] = -lambda;        /* the right-hand side: the axis' unit strain */
+    for (int i = 0; i < 6; i++)         /* elimination; the matrix is positive definite */
         for (int j = i + 1; j < 6; j++)
             for (int c = 6; c >= i; c--)
                 K[j][c] -= K[j][i] / K[i][i] * K[i][c];
@@ -75,12 +79,13 @@ static double axis_stretch(const struct hobe_section_properties *p)
     return stiffness / E;
 }
 
-/* EA over section theory: 1 but for `axis` with cubic modes. */
+/* EA over section theory: 1 but for `axis` with cubic modes, which eat up to 21 %. */
 static void check_stretch(const struct subject *s, double ratio)
 {
     double expected = 1;
-    if (s->mechanics == HOBE_MECHANICS_AXIS && has_mode(s->kernel, "yyy"))
-        expected = axis_stretch(&s->p);
+    if (s->mechanics == HOBE_MECHANICS_AXIS &&
+        (has_mode(s->kernel, "yyy") || has_mode(s->kernel, "wy")))
+        expected = axis_stretch(&s->p, has_mode(s->kernel, "yzz"));
     check_relative(ratio, expected, 1e-9, "EA of %s", s->name);
 }
 
