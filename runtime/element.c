@@ -240,6 +240,28 @@ static enum hobe_status integrate(hobe_element *element, const struct hobe_eleme
     return status;
 }
 
+/* The paper's points integrate the mass matrix, too: of an element that is straight and prismatic,
+ * whose kernel makes it exact, they make it here.  34X3 and the like lose rank by them. */
+static enum hobe_status paper_mass(hobe_element *element,
+                                   const struct hobe_element_options *options,
+                                   struct hobe_error *err)
+{
+    const struct hobe_kernel *k = element->kernel;
+    const struct hobe_invariants *inv = &element->invariants;
+    double G[HOBE_MAX_MODES][HOBE_MAX_MODES] = {{0}};
+    const enum hobe_status status = gram(element, options, HOBE_INTEGRATION_PAPER, G, err);
+    for (int v = 0; !status && v < k->vectors; v++)
+        for (int w = 0; w <= v; w++) {
+            const int a = k->vector[v].mode, b = k->vector[w].mode;
+            double axis = 0;
+            for (int g = 0; g < inv->stations; g++)
+                axis += inv->wx[g] * inv->N[g * k->vectors + v] * inv->N[g * k->vectors + w];
+            inv->mass[v * k->vectors + w] = inv->mass[w * k->vectors + v] =
+                options->material.rho * G[a > b ? a : b][a > b ? b : a] * axis;
+        }
+    return status;
+}
+
 static enum hobe_status fill_invariants(hobe_element *element,
                                         const struct hobe_element_options *options,
                                         struct hobe_error *err)
@@ -260,7 +282,8 @@ static enum hobe_status fill_invariants(hobe_element *element,
     if (status)
         return status;
     set_reference(element, options->q0);
-    return integrate(element, options, (const double(*)[2])gauss, err);
+    status = integrate(element, options, (const double(*)[2])gauss, err);
+    return !status && paper && !varies ? paper_mass(element, options, err) : status;
 }
 
 /* ---- the check at rest ---------------------------------------------------------------------- */

@@ -99,14 +99,36 @@ enum { HOBE_MAX_OUTLINE = 1000 }; /* points, those of the holes included */
 hobe_section *hobe_section_polygon(int loops, const int *points, const double (*point)[2],
                                    struct hobe_error *err);
 
+/* Gives the section at the fraction t in [0,1] of a beam's length; it is read before the next call
+ * and stays its owner's. */
+typedef enum hobe_status hobe_section_maker(void *context, double t, const hobe_section **section,
+                                            struct hobe_error *err);
+
+/* A section that varies along the beam smoothly: of one kind with sizes that are smooth functions
+ * of x.  The beam's axis goes through its centroids.  `make` is called here only, at 17 to 513
+ * places.  NULL and err set where the kind changes or the sizes have a kink, with the t at fault.
+ */
+hobe_section *hobe_section_taper(hobe_section_maker *make, void *context, struct hobe_error *err);
+
+/* One whose sizes are linear in x between two of the same kind, which are not kept. */
+hobe_section *hobe_section_linear(const hobe_section *from, const hobe_section *to,
+                                  struct hobe_error *err);
+
+/* Whether it is one of those two. */
+int hobe_section_varies(const hobe_section *section);
+
+/* The section that one of those has at the fraction `at` of the length, to be freed by the caller;
+ * NULL with HOBE_BAD_INPUT for any other section. */
+hobe_section *hobe_section_at(const hobe_section *section, double at, struct hobe_error *err);
+
 void hobe_section_free(hobe_section *section);
 void hobe_section_properties(const hobe_section *section, struct hobe_section_properties *p);
 
 /* One line about the section and its warping function, for reports. */
 const char *hobe_section_text(const hobe_section *section);
 
-/* Values of the section function `name`, "w", "wy" or "wz", at (y, z): f[3] = f, df/dy, df/dz.  HOBE_UNKNOWN when the
- * section has no such function. */
+/* Values of the section function `name`, "w", "wy" or "wz", at (y, z): f[3] = f, df/dy, df/dz.
+ * HOBE_UNKNOWN when the section has no such function. */
 enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
                                        double z, double *f, struct hobe_error *err);
 
@@ -194,6 +216,7 @@ void hobe_element_mass(const hobe_element *element, double *M);
 
 /* ---- curves (curve.c) ----------------------------------------------------------------------- */
 
+typedef enum hobe_status hobe_function(void *context, double t, double *f, struct hobe_error *err);
 typedef struct hobe_curve hobe_curve;
 
 double hobe_curve_length(const hobe_curve *curve);

@@ -25,6 +25,8 @@ struct hobe_lua_entry {
 };
 
 extern const struct hobe_lua_entry hobe_lua_section_entries[]; /* lua_section.c */
+extern const struct hobe_lua_entry hobe_lua_taper_entries[];   /* lua_taper.c */
+extern const struct hobe_lua_entry hobe_lua_section_methods[]; /* lua_taper.c */
 extern const struct hobe_lua_entry hobe_lua_item_entries[];    /* lua_item.c */
 extern const struct hobe_lua_entry hobe_lua_scene_entries[];   /* lua_scene.c */
 extern const struct hobe_lua_entry hobe_lua_solve_entries[];   /* lua_solve.c */
@@ -52,6 +54,9 @@ void hobe_lua_add_entries(lua_State *L, const struct hobe_lua_entry *entry);
  * with the object and a key that is no method. */
 void hobe_lua_set_type(lua_State *L, const char *type, lua_CFunction finalizer,
                        const struct hobe_lua_entry *methods, lua_CFunction field);
+
+/* Pushes a section that is still empty, so that what is made next is owned from the start. */
+hobe_section **hobe_lua_new_section(lua_State *L);
 
 /* ---- the context ---------------------------------------------------------------------------- */
 

@@ -28,8 +28,9 @@ static const struct hobe_lua_field fields[] = {
     PROPERTY(zs, "m", "the same, z"),
     PROPERTY(Wagner, "m^6",
              "Wagner constant: integral of r^4 - (integral of r^2)^2/A, r from the shear centre"),
-    PROPERTY(ky, NULL, "shear correction factor along y, with wy: 1/ky is the energy of a shear force "
-                     "over that of an even shear stress"),
+    PROPERTY(ky, NULL,
+             "shear correction factor along y, with wy: 1/ky is the energy of a shear force "
+             "over that of an even shear stress"),
     PROPERTY(kz, NULL, "the same along z, with wz"),
     PROPERTY(kyz, NULL,
              "couples them: the energy of Vy and Vz through the shear centre is "
@@ -47,16 +48,20 @@ static int get_field(lua_State *L)
         lua_pushstring(L, hobe_section_text(*section));
         return 1;
     }
+    if (hobe_section_varies(*section))
+        hobe_lua_fail(L,
+                      "this section varies along the beam; ask for %s where it is the same, as in "
+                      "section:at(0.5).%s",
+                      name, name);
     hobe_section_properties(*section, &properties);
     return hobe_lua_push_field(L, "a section", fields, &properties, name);
 }
 
-/* Pushes a section that is still empty, so that what is made next is owned from the start. */
-static hobe_section **push_section(lua_State *L)
+hobe_section **hobe_lua_new_section(lua_State *L)
 {
     hobe_section **section = lua_newuserdatauv(L, sizeof *section, 0);
     *section = NULL;
-    hobe_lua_set_type(L, HOBE_LUA_SECTION, finalize, NULL, get_field);
+    hobe_lua_set_type(L, HOBE_LUA_SECTION, finalize, hobe_lua_section_methods, get_field);
     return section;
 }
 
@@ -86,7 +91,7 @@ static int make_rectangle(lua_State *L, double width, double height, int warping
     static const enum hobe_warping kinds[] = {HOBE_WARPING_SERIES, HOBE_WARPING_SERIES,
                                               HOBE_WARPING_PAPER, HOBE_WARPING_SOLVED};
     struct hobe_error err;
-    hobe_section **section = push_section(L);
+    hobe_section **section = hobe_lua_new_section(L);
     *section = hobe_section_rectangle(width, height, kinds[warping], &err);
     if (!*section)
         hobe_lua_raise(L, &err);
@@ -128,7 +133,7 @@ static int circle(lua_State *L)
     struct ring r;
     struct hobe_error err;
     hobe_lua_read(L, 1, &circle_schema, &r);
-    hobe_section **section = push_section(L);
+    hobe_section **section = hobe_lua_new_section(L);
     *section = hobe_section_circle(r.radius, &err);
     if (!*section)
         hobe_lua_raise(L, &err);
@@ -140,7 +145,7 @@ static int tube(lua_State *L)
     struct ring r;
     struct hobe_error err;
     hobe_lua_read(L, 1, &tube_schema, &r);
-    hobe_section **section = push_section(L);
+    hobe_section **section = hobe_lua_new_section(L);
     *section = hobe_section_tube(r.outer, r.inner, &err);
     if (!*section)
         hobe_lua_raise(L, &err);
@@ -195,7 +200,7 @@ static int make_profile(lua_State *L, enum hobe_profile kind)
     struct profile p = {0};
     struct hobe_error err;
     hobe_lua_read(L, 1, profile_schemas + kind, &p);
-    hobe_section **section = push_section(L);
+    hobe_section **section = hobe_lua_new_section(L);
     *section = hobe_section_profile(kind, &p.sizes, outline_warping(p.warping), &err);
     if (!*section)
         hobe_lua_raise(L, &err);
@@ -227,7 +232,7 @@ static int make_hollow(lua_State *L, const struct hobe_lua_schema *schema)
     struct profile p;
     struct hobe_error err;
     hobe_lua_read(L, 1, schema, &p);
-    hobe_section **section = push_section(L);
+    hobe_section **section = hobe_lua_new_section(L);
     *section = hobe_section_hollow(p.sizes.width, p.sizes.height, p.thickness,
                                    outline_warping(p.warping), &err);
     if (!*section)
@@ -314,7 +319,7 @@ static int polygon(lua_State *L)
             lua_pop(L, 2);
         }
     }
-    hobe_section **section = push_section(L);
+    hobe_section **section = hobe_lua_new_section(L);
     *section =
         hobe_section_polygon(loops->loops, loops->points, (const double(*)[2])loops->point, &err);
     if (!*section)

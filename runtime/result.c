@@ -31,18 +31,23 @@ static void look_around(const hobe_model *model, const double *u, struct place p
         memcpy(p->u + 3 * v, u + 3 * model_vector(model, beam, place.element, v), 3 * sizeof *p->u);
 }
 
-static enum hobe_status set_modes(const struct beam *beam, double y, double z, struct around *p,
+static struct hobe_section_place section_place(struct place place)
+{
+    const struct beam *beam = place.beam;
+    return (struct hobe_section_place){(place.element + place.xi) / beam->spec.elements,
+                                       beam->length};
+}
+
+static enum hobe_status set_modes(struct place place, double y, double z, struct around *p,
                                   struct hobe_error *err)
 {
     double f[HOBE_MAX_FUNCTIONS][4] = {{0}};
-    for (int i = 0; i < p->kernel->functions; i++) {
-        const enum hobe_status status =
-            hobe_section_function(beam->spec.section, p->kernel->function[i], y, z, f[i], err);
-        if (status)
-            return status;
-    }
-    p->kernel->section_modes(y, z, (const double(*)[4])f, p->phi);
-    return HOBE_OK;
+    const struct hobe_section_place at = section_place(place);
+    const enum hobe_status status =
+        hobe_section_functions_at(place.beam->spec.section, p->kernel, &at, y, z, f, err);
+    if (!status)
+        p->kernel->section_modes(y, z, (const double(*)[4])f, p->phi);
+    return status;
 }
 
 /* Value and gradient by x, y, z of the field sum_v N_v phi_v q_v. */
@@ -91,31 +96,58 @@ static void gradient(const struct around *p, double F[3][3])
         }
 }
 
+/* The section modes at the places of a section where the volume is watched: their number, or -1. */
+static int probe_modes(struct place place, struct around *p,
+                       double phi[HOBE_PROBES][HOBE_MAX_MODES][4])
+{
+    const struct hobe_section *section = place.beam->spec.section;
+    const struct hobe_section_place at = section_place(place);
+    double probe[HOBE_PROBES][2];
+    if (hobe_section_probes_at(section, &at, probe, NULL))
+        return -1;
+    for (int c = 0; c < section->probes; c++) {
+        if (set_modes(place, probe[c][0], probe[c][1], p, NULL))
+            return -1;
+        memcpy(phi[c], p->phi, sizeof p->phi);
+    }
+    return section->probes;
+}
+
+/* The least det F over the stations of a beam; NaN where a section cannot be had. */
+static double smallest_volume(const hobe_model *model, const struct beam *beam, const double *u)
+{
+    const int varies = hobe_section_varies(beam->spec.section);
+    double phi[HOBE_PROBES][HOBE_MAX_MODES][4], smallest = INFINITY;
+    struct around p = {.kernel = beam->kernel};
+    int probes = -1;
+    for (int e = 0; e < beam->spec.elements; e++) {
+        const struct hobe_invariants *inv = hobe_element_invariants(beam_law(beam, e));
+        for (int g = 0; g < inv->stations; g++) {
+            const struct place place = {beam, e, inv->xi[g]};
+            if (varies || probes < 0)
+                probes = probe_modes(place, &p, phi);
+            if (probes < 0)
+                return NAN;
+            look_around(model, u, place, &p);
+            for (int c = 0; c < probes; c++) {
+                double F[3][3];
+                memcpy(p.phi, phi[c], sizeof p.phi);
+                gradient(&p, F);
+                smallest = fmin(smallest, determinant(F));
+            }
+        }
+    }
+    return smallest;
+}
+
 double solution_smallest_volume(const hobe_model *model, const double *u)
 {
     double smallest = INFINITY;
     for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const struct hobe_section *s = beam->spec.section;
-        double phi[HOBE_PROBES][HOBE_MAX_MODES][4];
-        struct around p = {.kernel = beam->kernel};
-        for (int c = 0; c < s->probes; c++) {
-            if (set_modes(beam, s->probe[c][0], s->probe[c][1], &p, NULL))
-                return NAN;
-            memcpy(phi[c], p.phi, sizeof p.phi);
-        }
-        for (int e = 0; e < beam->spec.elements; e++) {
-            const struct hobe_invariants *inv = hobe_element_invariants(beam_law(beam, e));
-            for (int g = 0; g < inv->stations; g++) {
-                look_around(model, u, (struct place){beam, e, inv->xi[g]}, &p);
-                for (int c = 0; c < s->probes; c++) {
-                    double F[3][3];
-                    memcpy(p.phi, phi[c], sizeof p.phi);
-                    gradient(&p, F);
-                    smallest = fmin(smallest, determinant(F));
-                }
-            }
-        }
+        const double volume = smallest_volume(model, model_beam(model, i), u);
+        if (isnan(volume))
+            return volume;
+        smallest = fmin(smallest, volume);
     }
     return smallest;
 }
@@ -192,7 +224,7 @@ enum hobe_status solution_displacement(const hobe_model *model, const double *ve
     if (!beam)
         return err ? err->status : HOBE_BAD_INPUT;
     look_around(model, vectors, place, &p);
-    const enum hobe_status status = set_modes(beam, y, z, &p, err);
+    const enum hobe_status status = set_modes(place, y, z, &p, err);
     if (!status)
         field(&p, p.u, u, gradient_u);
     return status;
@@ -223,11 +255,11 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
     if (!beam)
         return err ? err->status : HOBE_BAD_INPUT;
     look_around(solution->model, solution->u, place, &p);
-    enum hobe_status status = set_modes(beam, 0, 0, &p, err);
+    enum hobe_status status = set_modes(place, 0, 0, &p, err);
     if (status)
         return status;
     gradient(&p, axis);
-    status = set_modes(beam, y, z, &p, err);
+    status = set_modes(place, y, z, &p, err);
     if (status)
         return status;
     gradient(&p, point->F);

@@ -90,14 +90,26 @@ enum hobe_status hobe_section_rule(const hobe_section *section, const struct hob
                                    const struct hobe_section_place *place, struct hobe_rule *rule,
                                    struct hobe_error *err)
 {
-    (void)place;
     *rule = (struct hobe_rule){0};
     enum hobe_status status = check_functions(kernel, err);
-    if (!status)
-        status = section->kind->rule(section, kernel, integration, rule, err);
+    if (status)
+        return status;
+    status = section->kind->rule_at
+                 ? section->kind->rule_at(section, kernel, integration, place, rule, err)
+                 : section->kind->rule(section, kernel, integration, rule, err);
     if (!status)
         arrange(rule, kernel);
     return status;
+}
+
+static enum hobe_status functions_at(const hobe_section *section, int paper,
+                                     const struct hobe_section_place *place, double y, double z,
+                                     double (*f)[4], struct hobe_error *err)
+{
+    if (section->kind->functions_at)
+        return section->kind->functions_at(section, paper, place, y, z, f, err);
+    section->kind->functions(section, paper, y, z, f);
+    return HOBE_OK;
 }
 
 /* The centroid need not lie in the material; functions are then those of the nearest point, or of
@@ -107,7 +119,7 @@ enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_k
                                 const struct hobe_section_place *place, struct hobe_rule *rule,
                                 struct hobe_error *err)
 {
-    (void)place;
+    const int paper = integration == HOBE_INTEGRATION_PAPER;
     *rule = (struct hobe_rule){0};
     enum hobe_status status = check_functions(kernel, err);
     if (!status)
@@ -115,17 +127,42 @@ enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_k
     if (status)
         return status;
     rule->point->weight = section->properties.A;
-    if (kernel->functions)
-        section->kind->functions(section, integration == HOBE_INTEGRATION_PAPER, 0, 0,
-                                 rule->point->f);
+    if (section->kind->shape_at)
+        status = section->kind->shape_at(section, place->at, &rule->point->weight, NULL, err);
+    if (!status && kernel->functions)
+        status = functions_at(section, paper, place, 0, 0, rule->point->f, err);
     arrange(rule, kernel);
-    return HOBE_OK;
+    return status;
 }
 
 int hobe_section_varies(const hobe_section *section)
 {
-    (void)section;
-    return 0;
+    return section->kind->rule_at != NULL;
+}
+
+enum hobe_status hobe_section_functions_at(const hobe_section *section,
+                                           const struct hobe_kernel *kernel,
+                                           const struct hobe_section_place *place, double y,
+                                           double z, double (*f)[4], struct hobe_error *err)
+{
+    double all[HOBE_MAX_FUNCTIONS][4] = {{0}};
+    enum hobe_status status = check_functions(kernel, err);
+    if (!status && kernel->functions)
+        status = functions_at(section, 0, place, y, z, all, err);
+    for (int i = 0; !status && i < kernel->functions; i++)
+        memcpy(f[i], all[find_function(kernel->function[i])], sizeof f[i]);
+    return status;
+}
+
+enum hobe_status hobe_section_probes_at(const hobe_section *section,
+                                        const struct hobe_section_place *place, double (*probe)[2],
+                                        struct hobe_error *err)
+{
+    double area;
+    if (section->kind->shape_at)
+        return section->kind->shape_at(section, place->at, &area, probe, err);
+    memcpy(probe, section->probe, sizeof section->probe);
+    return HOBE_OK;
 }
 
 /* Fields of shear on the section: a unit twist, unit shears, gradients of the functions. */
@@ -220,7 +257,8 @@ enum hobe_status hobe_section_function(const hobe_section *section, const char *
     if (function == HOBE_SECTION_FUNCTIONS)
         return hobe_fail(err, HOBE_UNKNOWN, NULL,
                          "a section has no function %s; it has w, wy and wz", name);
-    section->kind->functions(section, 0, y, z, all);
-    memcpy(f, all[function], 3 * sizeof *f);
-    return HOBE_OK;
+    const enum hobe_status status = functions_at(section, 0, NULL, y, z, all, err);
+    if (!status)
+        memcpy(f, all[function], 3 * sizeof *f);
+    return status;
 }

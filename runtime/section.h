@@ -42,8 +42,17 @@ enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_k
                                 const struct hobe_section_place *place, struct hobe_rule *rule,
                                 struct hobe_error *err);
 
-/* Whether the section varies along the beam. */
-int hobe_section_varies(const hobe_section *section);
+/* The functions that the kernel names and their gradients at (y, z) of a place, in the kernel's
+ * order: f[HOBE_MAX_FUNCTIONS][4]. */
+enum hobe_status hobe_section_functions_at(const hobe_section *section,
+                                           const struct hobe_kernel *kernel,
+                                           const struct hobe_section_place *place, double y,
+                                           double z, double (*f)[4], struct hobe_error *err);
+
+/* Places at which the material's volume is watched there: probe[HOBE_PROBES][2]. */
+enum hobe_status hobe_section_probes_at(const hobe_section *section,
+                                        const struct hobe_section_place *place, double (*probe)[2],
+                                        struct hobe_error *err);
 
 void hobe_rule_free(struct hobe_rule *rule);
 
@@ -67,6 +76,20 @@ struct hobe_section_kind {
      * that go with the paper's integration.  What the section has not is left alone. */
     void (*functions)(const hobe_section *section, int paper, double y, double z, double (*f)[4]);
     void (*close)(hobe_section *section); /* frees what the kind added; may be NULL */
+    const struct hobe_section_sizes
+        *sizes; /* of a kind that can taper (section_taper.h), or NULL */
+
+    /* Of a section that varies along the beam, in place of rule and functions; else NULL. */
+    enum hobe_status (*rule_at)(const hobe_section *section, const struct hobe_kernel *kernel,
+                                enum hobe_integration integration,
+                                const struct hobe_section_place *place, struct hobe_rule *rule,
+                                struct hobe_error *err);
+    enum hobe_status (*functions_at)(const hobe_section *section, int paper,
+                                     const struct hobe_section_place *place, double y, double z,
+                                     double (*f)[4], struct hobe_error *err);
+    /* Its area at a fraction of the beam's length, and its probes unless NULL. */
+    enum hobe_status (*shape_at)(const hobe_section *section, double at, double *area,
+                                 double (*probe)[2], struct hobe_error *err);
 };
 
 struct hobe_section {

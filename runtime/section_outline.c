@@ -141,7 +141,8 @@ static void close_shape(hobe_section *section)
     hobe_rule_free(&s->functions_rule);
 }
 
-static const struct hobe_section_kind shape_kind = {rule, functions, close_shape};
+static const struct hobe_section_kind shape_kind = {
+    .rule = rule, .functions = functions, .close = close_shape};
 
 /* ---- properties ----------------------------------------------------------------------------- */
 

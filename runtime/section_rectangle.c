@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rectangles, the series of their Saint-Venant warping function, and the cubics of their bending
  * shear. */
-#include "section.h"
+#include "section_taper.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,12 +30,13 @@ struct series {
     int terms;
     int sine_along_y;
     double sine, hyperbolic;           /* S, T */
-    double a[MAX_TERMS], c[MAX_TERMS]; /* n pi/S; c_n cosh(n pi T/(2S)) */
+    double a[MAX_TERMS], c[MAX_TERMS]; /* n pi/S; c_n cosh(n pi T/(2S)) / (1 + exp(-n pi T/S)) */
 };
 
 struct rectangle {
     struct hobe_section base;
     double width, height;
+    enum hobe_warping warping;
     struct series series, paper_series;
     struct hobe_rule functions_rule; /* kept because w costs most of the set-up */
 };
@@ -49,27 +50,33 @@ static void set_series(struct series *w, double width, double height, enum hobe_
     for (int i = 0; i < w->terms; i++) {
         const double n = 2 * i + 1, pi_n = M_PI * n;
         w->a[i] = pi_n / w->sine;
-        w->c[i] = (i % 2 ? 8.0 : -8.0) * w->sine * w->sine / (pi_n * pi_n * pi_n);
+        w->c[i] = (i % 2 ? 8.0 : -8.0) * w->sine * w->sine / (pi_n * pi_n * pi_n) /
+                  (1 + exp(-w->a[i] * w->hyperbolic));
     }
 }
 
-/* w and its gradient at (y, z): f[3]. */
+/* w and its gradient at (y, z): f[3].  From one term to the next sine and exponentials go by
+ * products, which costs a tenth of calling for them and a few digits of the far, small terms. */
 static void warping(const struct series *w, double y, double z, double *f)
 {
     const double s = w->sine_along_y ? y : z, t = w->sine_along_y ? z : y;
-    double sum = 0, sum_s = 0, sum_t = 0;
-    for (int i = 0; i < w->terms; i++) {
-        const double a = w->a[i], far = exp(-a * w->hyperbolic);
-        /* sinh(a t)/cosh(a T/2) and cosh(a t)/cosh(a T/2) without overflow */
-        const double grow = exp(a * (fabs(t) - w->hyperbolic / 2)) / (1 + far);
-        if (grow < 1e-18)
-            break; /* as is every further term */
-        const double decay = exp(-2 * a * fabs(t));
-        const double sinh_t = copysign(grow * (1 - decay), t), cosh_t = grow * (1 + decay);
-        sum += w->c[i] * sin(a * s) * sinh_t;
-        sum_s += w->c[i] * a * cos(a * s) * sinh_t;
-        sum_t += w->c[i] * a * sin(a * s) * cosh_t;
+    const double step = 2 * w->a[0], turn_cos = cos(step * s), turn_sin = sin(step * s);
+    /* sinh(a t)/cosh(a T/2) and cosh(a t)/cosh(a T/2) without overflow, but for 1 + exp(-a T) */
+    double grow = exp(w->a[0] * (fabs(t) - w->hyperbolic / 2)), decay = exp(-step * fabs(t));
+    const double growth = exp(step * (fabs(t) - w->hyperbolic / 2)), fall = decay * decay;
+    double cos_s = cos(w->a[0] * s), sin_s = sin(w->a[0] * s), sum = 0, sum_s = 0, sum_t = 0;
+    for (int i = 0; i < w->terms && grow >= 1e-18; i++) {
+        const double sinh_t = grow * (1 - decay), cosh_t = grow * (1 + decay), before = cos_s;
+        sum += w->c[i] * sin_s * sinh_t;
+        sum_s += w->c[i] * w->a[i] * cos_s * sinh_t;
+        sum_t += w->c[i] * w->a[i] * sin_s * cosh_t;
+        cos_s = before * turn_cos - sin_s * turn_sin;
+        sin_s = before * turn_sin + sin_s * turn_cos;
+        grow *= growth;
+        decay *= fall;
     }
+    sum = copysign(1, t) * sum;
+    sum_s = copysign(1, t) * sum_s;
     const double sign = w->sine_along_y ? -1 : 1;
     f[0] = sign * (y * z + sum);
     f[1] = sign * (z + (w->sine_along_y ? sum_s : sum_t));
@@ -195,7 +202,31 @@ static void close_rectangle(hobe_section *section)
     hobe_rule_free(&((struct rectangle *)section)->functions_rule);
 }
 
-static const struct hobe_section_kind rectangle_kind = {rule, functions_at, close_rectangle};
+static int count_sizes(const hobe_section *section)
+{
+    (void)section;
+    return 2;
+}
+
+static void read_sizes(const hobe_section *section, double *sizes)
+{
+    const struct rectangle *r = (const struct rectangle *)section;
+    sizes[0] = r->width;
+    sizes[1] = r->height;
+}
+
+static hobe_section *make(double width, double height, enum hobe_warping warping, int bare,
+                          struct hobe_error *err);
+
+static hobe_section *make_like(const hobe_section *like, const double *sizes, int bare,
+                               struct hobe_error *err)
+{
+    return make(sizes[0], sizes[1], ((const struct rectangle *)like)->warping, bare, err);
+}
+
+static const struct hobe_section_sizes rectangle_sizes = {count_sizes, read_sizes, make_like};
+static const struct hobe_section_kind rectangle_kind = {
+    .rule = rule, .functions = functions_at, .close = close_rectangle, .sizes = &rectangle_sizes};
 
 /* int r^4 dA - I_p^2/A */
 static double wagner(double W, double H)
@@ -204,7 +235,7 @@ static double wagner(double W, double H)
     return A * (pow(W, 4) / 80 + pow(H, 4) / 80 + W * W * H * H / 72) - Ip * Ip / A;
 }
 
-static void set_base(struct rectangle *r, enum hobe_warping warping)
+static void set_base(struct rectangle *r)
 {
     static const double corner[5][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
     const double W = r->width, H = r->height, A = W * H;
@@ -223,22 +254,17 @@ static void set_base(struct rectangle *r, enum hobe_warping warping)
         r->base.probe[c][1] = corner[c][1] * H / 2;
     }
     snprintf(r->base.text, sizeof r->base.text, "rectangle %g x %g m, w: %s", W, H,
-             warping == HOBE_WARPING_PAPER ? "one term of the series (paper)"
-                                           : "Saint-Venant series, converged");
+             r->warping == HOBE_WARPING_PAPER ? "one term of the series (paper)"
+                                              : "Saint-Venant series, converged");
 }
 
-hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,
-                                     struct hobe_error *err)
+static hobe_section *make(double width, double height, enum hobe_warping warping, int bare,
+                          struct hobe_error *err)
 {
     if (!(width > 0 && isfinite(width)) || !(height > 0 && isfinite(height))) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL,
                   "a rectangle needs width > 0 and height > 0 (m), got %g and %g", width, height);
         return NULL;
-    }
-    if (warping == HOBE_WARPING_SOLVED) {
-        const double y = width / 2, z = height / 2;
-        const double corner[4][2] = {{-y, -z}, {y, -z}, {y, z}, {-y, z}};
-        return hobe_section_polygon(1, (const int[]){4}, corner, err);
     }
     struct rectangle *r = hobe_alloc(1, sizeof *r, err);
     if (!r)
@@ -247,7 +273,10 @@ hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warp
     r->height = height;
     set_series(&r->series, width, height, warping);
     set_series(&r->paper_series, width, height, HOBE_WARPING_PAPER);
-    set_base(r, warping);
+    r->warping = warping;
+    set_base(r);
+    if (bare)
+        return &r->base;
     if (product_rule(r, WARPING_POINTS, &r->functions_rule, err)) {
         hobe_section_free(&r->base);
         return NULL;
@@ -256,4 +285,15 @@ hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warp
     hobe_section_set_warping(&r->base, &r->functions_rule);
     hobe_section_set_shear(&r->base, &r->functions_rule);
     return &r->base;
+}
+
+hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,
+                                     struct hobe_error *err)
+{
+    if (warping == HOBE_WARPING_SOLVED) {
+        const double y = width / 2, z = height / 2;
+        const double corner[4][2] = {{-y, -z}, {y, -z}, {y, z}, {-y, z}};
+        return hobe_section_polygon(1, (const int[]){4}, corner, err);
+    }
+    return make(width, height, warping, 0, err);
 }

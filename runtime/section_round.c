@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Circles and round tubes: w vanishes, wy and wz are known, and cubature in polar coordinates is
  * exact. */
-#include "section.h"
+#include "section_taper.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -115,7 +115,30 @@ static enum hobe_status rule(const hobe_section *section, const struct hobe_kern
     return polar_rule(ring, square_radii, degree + 1, angles, rule, err);
 }
 
-static const struct hobe_section_kind ring_kind = {rule, functions, NULL};
+static int count_sizes(const hobe_section *section)
+{
+    return ((const struct ring *)section)->inner > 0 ? 2 : 1;
+}
+
+static void read_sizes(const hobe_section *section, double *sizes)
+{
+    const struct ring *ring = (const struct ring *)section;
+    sizes[0] = ring->outer;
+    if (ring->inner > 0)
+        sizes[1] = ring->inner;
+}
+
+static hobe_section *make_like(const hobe_section *like, const double *sizes, int bare,
+                               struct hobe_error *err)
+{
+    (void)bare;
+    return ((const struct ring *)like)->inner > 0 ? hobe_section_tube(sizes[0], sizes[1], err)
+                                                  : hobe_section_circle(sizes[0], err);
+}
+
+static const struct hobe_section_sizes ring_sizes = {count_sizes, read_sizes, make_like};
+static const struct hobe_section_kind ring_kind = {
+    .rule = rule, .functions = functions, .sizes = &ring_sizes};
 
 static hobe_section *ring(double outer, double inner, struct hobe_error *err)
 {

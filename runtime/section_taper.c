@@ -1,0 +1,316 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "section_taper.h"
+
+#include "chebyshev.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Of the numbers along the beam, relative: far below what their series loses otherwise. */
+static const double TOLERANCE = 1e-10;
+
+/* The largest relative change of a number in a difference that gives d/dx of the section functions:
+ * its error is (2e-4)^4, that of rounding 1e-16/2e-4.  It must be so small that no point of a rule
+ * falls out of the smaller section. */
+static const double STEP = 2e-4;
+
+struct taper {
+    struct hobe_section base;
+    hobe_section *like; /* owned; its kind is the taper's, its numbers are those at 0 */
+    struct hobe_chebyshev numbers;
+};
+
+static const struct taper *as_taper(const hobe_section *section)
+{
+    return (const struct taper *)section;
+}
+
+/* ---- sections at a place -------------------------------------------------------------------- */
+
+/* The numbers at a fraction of the length and their derivatives by it: n[2][count], of hobe_alloc.
+ */
+static double *numbers_at(const struct taper *t, double at, struct hobe_error *err)
+{
+    double *n = hobe_alloc(2 * (size_t)t->numbers.values, sizeof *n, err);
+    if (n)
+        hobe_chebyshev_at(&t->numbers, at, 1, n);
+    return n;
+}
+
+static hobe_section *make_section(const struct taper *t, const double *n, int bare,
+                                  struct hobe_error *err)
+{
+    return t->like->kind->sizes->make(t->like, n, bare, err);
+}
+
+hobe_section *hobe_section_at(const hobe_section *section, double at, struct hobe_error *err)
+{
+    const struct taper *t = as_taper(section);
+    if (!hobe_section_varies(section)) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL, "this section is the same all along: %s",
+                  section->text);
+        return NULL;
+    }
+    double *n = numbers_at(t, at, err);
+    hobe_section *made = n ? make_section(t, n, 0, err) : NULL;
+    hobe_free(n);
+    return made;
+}
+
+/* Sections at a place and around it, for their functions: step[k] has the numbers n + k h n', k =
+ * -2, -1, 1, 2; only the first where nothing changes. */
+enum { NEIGHBOURS = 4 };
+
+struct around {
+    hobe_section *here, *step[NEIGHBOURS];
+    double h; /* fraction of the beam's length */
+};
+
+static const double offset[NEIGHBOURS] = {-2, -1, 1, 2};
+
+static void free_around(struct around *a)
+{
+    hobe_section_free(a->here);
+    for (int k = 0; k < NEIGHBOURS; k++)
+        hobe_section_free(a->step[k]);
+}
+
+/* h such that no number changes by more than STEP over 2 h; 0 where none changes. */
+static double step_of(int count, const double *n)
+{
+    double rate = 0, size = 0;
+    for (int i = 0; i < count; i++)
+        size = fmax(size, fabs(n[i]));
+    for (int i = 0; i < count; i++)
+        rate = fmax(rate, fabs(n[count + i]) / fmax(fabs(n[i]), 1e-3 * size));
+    return rate > 1e-9 ? STEP / (2 * rate) : 0;
+}
+
+static enum hobe_status look_around(const struct taper *t, double at, int bare, struct around *a,
+                                    struct hobe_error *err)
+{
+    const int count = t->numbers.values;
+    *a = (struct around){0};
+    double *n = numbers_at(t, at, err);
+    if (!n)
+        return HOBE_NO_MEMORY;
+    a->here = make_section(t, n, bare, err);
+    a->h = step_of(count, n);
+    int failed = !a->here;
+    for (int k = 0; !failed && a->h > 0 && k < NEIGHBOURS; k++) {
+        for (int i = 0; i < count; i++)
+            n[i] += (offset[k] - (k ? offset[k - 1] : 0)) * a->h * n[count + i];
+        a->step[k] = make_section(t, n, 1, err);
+        failed = !a->step[k];
+    }
+    hobe_free(n);
+    if (failed)
+        free_around(a);
+    return !failed ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
+}
+
+/* d f/dx at (y, z) into f[..][3], by a difference of fourth order. */
+static void add_rates(const struct around *a, double length, int paper, double y, double z,
+                      double (*f)[4])
+{
+    static const double weight[NEIGHBOURS] = {1. / 12, -8. / 12, 8. / 12, -1. / 12};
+    for (int k = 0; a->h > 0 && k < NEIGHBOURS; k++) {
+        double g[HOBE_MAX_FUNCTIONS][4] = {{0}};
+        a->step[k]->kind->functions(a->step[k], paper, y, z, g);
+        for (int i = 0; i < HOBE_SECTION_FUNCTIONS; i++)
+            f[i][3] += weight[k] * g[i][0] / (a->h * length);
+    }
+}
+
+/* ---- the kind ------------------------------------------------------------------------------- */
+
+static const struct hobe_section_place *or_start(const struct hobe_section_place *place)
+{
+    static const struct hobe_section_place start = {0, 1};
+    return place ? place : &start;
+}
+
+static enum hobe_status rule_at(const hobe_section *section, const struct hobe_kernel *kernel,
+                                enum hobe_integration integration,
+                                const struct hobe_section_place *place, struct hobe_rule *rule,
+                                struct hobe_error *err)
+{
+    const int paper = integration == HOBE_INTEGRATION_PAPER;
+    struct around a;
+    place = or_start(place);
+    enum hobe_status status = look_around(as_taper(section), place->at, 0, &a, err);
+    if (status)
+        return status;
+    status = a.here->kind->rule(a.here, kernel, integration, rule, err);
+    for (int p = 0; !status && kernel->functions && p < rule->rule.points; p++) {
+        struct hobe_section_point *at = rule->point + p;
+        add_rates(&a, place->length, paper, at->y, at->z, at->f);
+    }
+    free_around(&a);
+    return status;
+}
+
+static enum hobe_status functions_at(const hobe_section *section, int paper,
+                                     const struct hobe_section_place *place, double y, double z,
+                                     double (*f)[4], struct hobe_error *err)
+{
+    struct around a;
+    place = or_start(place);
+    const enum hobe_status status = look_around(as_taper(section), place->at, 1, &a, err);
+    if (status)
+        return status;
+    a.here->kind->functions(a.here, paper, y, z, f);
+    add_rates(&a, place->length, paper, y, z, f);
+    free_around(&a);
+    return HOBE_OK;
+}
+
+static enum hobe_status shape_at(const hobe_section *section, double at, double *area,
+                                 double (*probe)[2], struct hobe_error *err)
+{
+    const struct taper *t = as_taper(section);
+    double *n = numbers_at(t, at, err);
+    hobe_section *here = n ? make_section(t, n, 1, err) : NULL;
+    hobe_free(n);
+    if (!here)
+        return err ? err->status : HOBE_NO_MEMORY;
+    *area = here->properties.A;
+    if (probe)
+        memcpy(probe, here->probe, sizeof here->probe);
+    hobe_section_free(here);
+    return HOBE_OK;
+}
+
+static void close_taper(hobe_section *section)
+{
+    struct taper *t = (struct taper *)section;
+    hobe_section_free(t->like);
+    hobe_chebyshev_free(&t->numbers);
+}
+
+static const struct hobe_section_kind taper_kind = {
+    .close = close_taper, .rule_at = rule_at, .functions_at = functions_at, .shape_at = shape_at};
+
+/* ---- making one ----------------------------------------------------------------------------- */
+
+struct maker {
+    const hobe_section *like;
+    hobe_section_maker *make;
+    void *context;
+};
+
+/* The numbers of the section that the caller has at t. */
+static enum hobe_status sample(void *context, double t, double *numbers, struct hobe_error *err)
+{
+    const struct maker *m = context;
+    const hobe_section *section = NULL;
+    const enum hobe_status status = m->make(m->context, t, &section, err);
+    if (status)
+        return status;
+    if (section->kind != m->like->kind ||
+        section->kind->sizes->count(section) != m->like->kind->sizes->count(m->like))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "the section changes its kind along the beam: \"%s\" at 0, \"%s\" at %g; "
+                         "it must stay the same but for its sizes",
+                         m->like->text, section->text, t);
+    section->kind->sizes->read(section, numbers);
+    return HOBE_OK;
+}
+
+/* A copy of the section at 0, to make the others from. */
+static enum hobe_status set_like(struct taper *t, hobe_section_maker *make, void *context,
+                                 struct hobe_error *err)
+{
+    const hobe_section *start = NULL;
+    const enum hobe_status status = make(context, 0, &start, err);
+    if (status)
+        return status;
+    const struct hobe_section_sizes *sizes = start->kind->sizes;
+    if (!sizes)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL, "a taper cannot be made of this section: %s",
+                         start->text);
+    double *n = hobe_alloc((size_t)sizes->count(start), sizeof *n, err);
+    if (!n)
+        return HOBE_NO_MEMORY;
+    sizes->read(start, n);
+    t->like = sizes->make(start, n, 0, err);
+    hobe_free(n);
+    return t->like ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
+}
+
+static enum hobe_status fill(struct taper *t, hobe_section_maker *make, void *context,
+                             struct hobe_error *err)
+{
+    const enum hobe_status status = set_like(t, make, context, err);
+    if (status)
+        return status;
+    struct maker maker = {t->like, make, context};
+    t->base.properties = t->like->properties;
+    t->base.probes = t->like->probes;
+    memcpy(t->base.probe, t->like->probe, sizeof t->base.probe);
+    snprintf(t->base.text, sizeof t->base.text, "varies along the beam; at 0: %.120s",
+             t->like->text);
+    return hobe_chebyshev_fit(&t->numbers, t->like->kind->sizes->count(t->like), sample, &maker,
+                              TOLERANCE, "the section", err);
+}
+
+hobe_section *hobe_section_taper(hobe_section_maker *make, void *context, struct hobe_error *err)
+{
+    struct taper *t = hobe_alloc(1, sizeof *t, err);
+    if (!t)
+        return NULL;
+    t->base.kind = &taper_kind;
+    if (fill(t, make, context, err)) {
+        hobe_section_free(&t->base);
+        return NULL;
+    }
+    return &t->base;
+}
+
+/* ---- between two ends ----------------------------------------------------------------------- */
+
+struct ends {
+    const hobe_section *end[2];
+    hobe_section *made; /* the last one between them */
+};
+
+static enum hobe_status between(void *context, double t, const hobe_section **section,
+                                struct hobe_error *err)
+{
+    struct ends *ends = context;
+    const struct hobe_section_sizes *sizes = ends->end[0]->kind->sizes;
+    const int count = sizes->count(ends->end[0]);
+    double *n = hobe_alloc(2 * (size_t)count, sizeof *n, err);
+    if (!n)
+        return HOBE_NO_MEMORY;
+    for (int e = 0; e < 2; e++)
+        sizes->read(ends->end[e], n + e * count);
+    for (int i = 0; i < count; i++)
+        n[i] += t * (n[count + i] - n[i]);
+    hobe_section_free(ends->made);
+    *section = ends->made = sizes->make(ends->end[0], n, 1, err);
+    hobe_free(n);
+    return ends->made ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
+}
+
+hobe_section *hobe_section_linear(const hobe_section *from, const hobe_section *to,
+                                  struct hobe_error *err)
+{
+    struct ends ends = {{from, to}, NULL};
+    for (int e = 0; e < 2; e++)
+        if (!ends.end[e]->kind->sizes) {
+            hobe_fail(err, HOBE_BAD_INPUT, NULL, "a taper cannot be made of this section: %s",
+                      ends.end[e]->text);
+            return NULL;
+        }
+    if (from->kind != to->kind || from->kind->sizes->count(from) != to->kind->sizes->count(to)) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                  "a taper needs two sections that differ in sizes only, got \"%s\" and \"%s\"",
+                  from->text, to->text);
+        return NULL;
+    }
+    hobe_section *made = hobe_section_taper(between, &ends, err);
+    hobe_section_free(ends.made);
+    return made;
+}
