@@ -86,7 +86,7 @@ static enum hobe_status fail_rough(struct fit *fit, struct hobe_error *err)
         }
     }
     return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                     "%s must be smooth, but it has a kink, or turns too sharply, near %s(%.3g); "
+                     "%s must be smooth, but it has a kink, or turns too sharply, near %s(%.2f); "
                      "split the beam there",
                      fit->name, fit->name, place);
 }

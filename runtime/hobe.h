@@ -216,10 +216,43 @@ void hobe_element_mass(const hobe_element *element, double *M);
 
 /* ---- curves (curve.c) ----------------------------------------------------------------------- */
 
+/* A function of one variable that the caller gives: writes its values at t into f, or returns a
+ * status with err (which may be NULL) set, which ends what called it and is passed on. */
 typedef enum hobe_status hobe_function(void *context, double t, double *f, struct hobe_error *err);
+
+/* A smooth curve for the axis of a beam, with a twist of the section about it.  Once it is made
+ * and twisted it never changes, so that threads may share it. */
 typedef struct hobe_curve hobe_curve;
 
+/* The curve r(t), m, for t in [0,1]; any parametrisation whose speed |r_t| never comes near zero.
+ * `point` gives r[3]; it is called here only, at 17 to 513 places.  Analytic curves are met to
+ * rounding.  NULL and err set: HOBE_BAD_INPUT where r is not finite, has a kink, or stands still,
+ * with the t at fault; or the function's own status. */
+hobe_curve *hobe_curve_function(hobe_function *point, void *context, struct hobe_error *err);
+
+/* The curve through n points, 2 to 10000, r[n][3], m, copied: the cubic spline over the length of
+ * the chords whose slopes at the ends are those of the polynomials through the five outermost
+ * points, so that two points give a line and three a parabola.  Its error falls with the fourth
+ * power of the distance of the points.  NULL and err set on coinciding neighbours, points that are
+ * not finite, or a spline with a cusp. */
+hobe_curve *hobe_curve_points(int n, const double (*r)[3], struct hobe_error *err);
+
+/* Turns the section about the tangent by twist(at), rad, at the fraction `at` of the arc length:
+ * positive from e_y to e_z.  `twist` gives one value, is smooth, and is called here only.  It
+ * replaces an earlier twist; a failure leaves that in place. */
+enum hobe_status hobe_curve_twist(hobe_curve *curve, hobe_function *twist, void *context,
+                                  struct hobe_error *err);
+
+void hobe_curve_free(hobe_curve *curve);
+
+/* Arc length, m. */
 double hobe_curve_length(const hobe_curve *curve);
+
+/* At the fraction `at` in [0,1] of the arc length: the position r[3], m; the section's axes, rows
+ * e_x (the tangent), e_y, e_z of frame; and their derivatives by arc length, frame_x, 1/m.  Before
+ * the twist e_z is as near to `up` as can be; up = {0,0,0} stands for global Z or, for a straight
+ * line along Z, global -X (X where it runs down).  HOBE_BAD_INPUT where `at` is outside [0,1] or
+ * up along the tangent. */
 enum hobe_status hobe_curve_at(const hobe_curve *curve, const double up[3], double at, double r[3],
                                double frame[3][3], double frame_x[3][3], struct hobe_error *err);
 

@@ -12,7 +12,7 @@ static void print_type(FILE *to, const struct hobe_lua_key *key)
         [KEY_GROUP] = "table",   [KEY_SECTION] = "section",    [KEY_RESULT] = "result",
         [KEY_LIST] = "list"};
     if (key->type != KEY_CHOICE) {
-        fputs(words[key->type], to);
+        fputs(key->type == KEY_OTHER ? key->choices : words[key->type], to);
         return;
     }
     for (const char *c = key->choices; *c; c++) {

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { WHERE = 1, NAME, OTHER, ANCHORS = OTHER }; /* user values of an item */
+enum { WHERE = 1, NAME, OTHER, CURVE, ANCHORS = CURVE }; /* user values of an item */
 
 /* Pushes an item with a copy of the size bytes of `value`. */
 static struct hobe_lua_item *push_item(lua_State *L, enum hobe_lua_kind kind, const void *value,
@@ -77,8 +77,17 @@ static const struct hobe_lua_key beam_keys[] = {
     BEAM(section, KEY_SECTION, REQUIRED, .doc = "a section, such as hobe.rectangle{...}"),
     BEAM(material, KEY_GROUP, REQUIRED, .group = &hobe_lua_material_schema,
          .doc = "a table {E =, nu =, rho =, k2 =, k3 =}"),
-    BEAM(from, KEY_VECTOR, REQUIRED, .unit = "m", .doc = "the axis' begin {x, y, z}"),
-    BEAM(to, KEY_VECTOR, REQUIRED, .unit = "m", .doc = "the axis' end {x, y, z}"),
+    BEAM(from, KEY_VECTOR, .unit = "m", .doc = "begin of a straight axis, {x, y, z}"),
+    BEAM(to, KEY_VECTOR, .unit = "m", .doc = "its end"),
+    KEY_OF_OTHER(
+        "curve", "function or list", .unit = "m",
+        .doc = "a curved axis, in place of from and to: a function that gives the point {x, y, z} "
+               "of a smooth curve at t from 0 to 1, at any speed; or a list of points for a "
+               "spline"),
+    KEY_OF_OTHER(
+        "twist", "number or function", .unit = "rad",
+        .doc = "turn of the section about the axis, y to z: the angle at the end, to which it "
+               "grows evenly, or a function that gives it at a fraction of the length"),
     BEAM(up, KEY_VECTOR,
          .doc = "where the section's z axis points to, made normal to the beam; global Z where "
                 "left out, or global -X for a beam along Z"),
@@ -101,6 +110,30 @@ const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name)
     return kernel;
 }
 
+/* Whether the beam's table holds the key; pushes its value. */
+static int push_given(lua_State *L, const char *key)
+{
+    hobe_lua_push_key(L, 1, &beam_schema, key);
+    return !lua_isnil(L, -1);
+}
+
+/* Pushes the curve that is the beam's axis; nil where the axis is straight and not twisted. */
+static void push_axis(lua_State *L, struct hobe_beam *beam)
+{
+    static const char *const ends[] = {"from", "to"};
+    const int curved = push_given(L, "curve"), curve = lua_gettop(L);
+    for (int i = 0; i < 2; i++)
+        if (push_given(L, ends[i]) == curved)
+            hobe_lua_fail(L,
+                          curved ? "beam: %s and curve exclude each other: the curve is the axis"
+                                 : "beam: %s is missing: an end of the axis {x, y, z}, or a curve",
+                          ends[i]);
+    push_given(L, "twist");
+    beam->curve = hobe_lua_push_curve(L, curve, lua_gettop(L), beam);
+    lua_replace(L, curve);
+    lua_settop(L, curve);
+}
+
 static int beam(lua_State *L)
 {
     struct beam read = {0};
@@ -109,11 +142,14 @@ static int beam(lua_State *L)
     read.beam.kernel = hobe_lua_find_kernel(L, read.element);
     read.beam.mechanics = (enum hobe_mechanics)read.mechanics;
     read.beam.integration = read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
+    push_axis(L, &read.beam);
     struct hobe_beam *b = &push_item(L, ITEM_BEAM, &read.beam, sizeof read.beam)->as.beam;
     b->where = keep(L, WHERE);
     b->name = keep_copy(L, b->name, NAME);
     hobe_lua_push_key(L, 1, &beam_schema, "section");
     lua_setiuservalue(L, -2, OTHER);
+    lua_pushvalue(L, 2);
+    lua_setiuservalue(L, -2, CURVE);
     return 1;
 }
 
@@ -224,7 +260,7 @@ static int gravity(lua_State *L)
 
 const struct hobe_lua_entry hobe_lua_item_entries[] = {
     {"beam", beam, "hobe.beam{name =, element =, elements =, section =, material =, from =, to =}",
-     "A straight prismatic beam of equal elements.", &beam_schema, NULL},
+     "A beam of elements of equal length on a straight or curved axis.", &beam_schema, NULL},
     {"clamp", clamp, "hobe.clamp{\"beam\", at =}", "Holds a node of a beam in place and direction.",
      &clamp_schema, NULL},
     {"join", join, "hobe.join{\"a\", \"b\", at = {1, 0}}",

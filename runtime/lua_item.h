@@ -7,6 +7,7 @@
 
 #define HOBE_LUA_ITEM  "hobe.item"
 #define HOBE_LUA_SCENE "hobe.scene"
+#define HOBE_LUA_CURVE "hobe.curve"
 
 enum hobe_lua_kind { ITEM_BEAM, ITEM_CLAMP, ITEM_FORCE, ITEM_MOMENT, ITEM_GRAVITY, ITEM_JOIN };
 
@@ -15,7 +16,7 @@ struct hobe_lua_gravity {
     double value[3]; /* m/s^2 */
 };
 
-/* A checked item as userdata.  The strings and the section it points to are kept in its user
+/* A checked item as userdata.  The strings, section and curve it points to are kept in its user
  * values, its `where` ("file:line" of the constructor's call) in the first. */
 struct hobe_lua_item {
     enum hobe_lua_kind kind;
@@ -36,6 +37,13 @@ struct hobe_lua_scene {
 
 /* The keys material = {...}, fit for struct hobe_material. */
 extern const struct hobe_lua_schema hobe_lua_material_schema;
+
+/* Pushes the axis of a beam as userdata, and returns it: along the beam's key `curve`, at the
+ * absolute index `curve` of the stack, or straight from `from` to `to` where that is nil, with the
+ * twist of its key `twist`.  Nil and NULL where both are nil.  Raises on bad values, and errors of
+ * the script's functions as they are.  (lua_curve.c) */
+const hobe_curve *hobe_lua_push_curve(lua_State *L, int curve, int twist,
+                                      const struct hobe_beam *beam);
 
 /* The kernel called name; raises where there is none. */
 const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name);

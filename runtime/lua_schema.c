@@ -272,6 +272,8 @@ static void read_value(lua_State *L, int index, const char *what, const struct h
         if (!lua_istable(L, index))
             fail_type(L, index, what, "a table");
         break;
+    case KEY_OTHER:
+        break;
     }
 }
 

@@ -24,7 +24,8 @@ enum hobe_lua_type {
     KEY_SECTION, /* a section                  const hobe_section *, alive as long as the section */
     KEY_RESULT,  /* a result of static         const hobe_solution *, likewise; NULL where left out
                   */
-    KEY_LIST     /* any table                  nothing: the function reads it itself */
+    KEY_LIST,    /* any table                  nothing: the function reads it itself */
+    KEY_OTHER    /* what `choices` says        nothing: the function checks and reads it itself */
 };
 
 enum hobe_lua_flags {
@@ -51,7 +52,7 @@ struct hobe_lua_key {
     unsigned flags, bounds;
     size_t offset; /* in the struct that is filled, from the schema's start */
     double fallback, lower, upper;
-    const char *choices;                 /* "series|paper" */
+    const char *choices;                 /* "series|paper"; of other: "number or function" */
     const char *word;                    /* fallback of a text; of a choice, what 0 stands for */
     const struct hobe_lua_schema *group; /* of a group; of the items of a list, for the reference */
     const char *unit, *doc;              /* unit may be NULL */
@@ -66,6 +67,10 @@ struct hobe_lua_key {
 #define KEY_OF_LIST(key_name, ...)                                                                 \
     {                                                                                              \
         .name = key_name, .type = KEY_LIST, __VA_ARGS__                                            \
+    }
+#define KEY_OF_OTHER(key_name, types, ...)                                                         \
+    {                                                                                              \
+        .name = key_name, .type = KEY_OTHER, .choices = types, __VA_ARGS__                         \
     }
 #define REQUIRED .flags = KEY_REQUIRED
 
