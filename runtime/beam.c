@@ -106,7 +106,8 @@ int beam_same_law(const struct hobe_beam *a, const struct hobe_beam *b)
     const struct hobe_material *m = &a->material, *n = &b->material;
     return a->kernel == b->kernel && a->section == b->section && a->mechanics == b->mechanics &&
            a->integration == b->integration && m->E == n->E && m->nu == n->nu && m->rho == n->rho &&
-           m->k2 == n->k2 && m->k3 == n->k3 && !hobe_section_varies(a->section);
+           m->k2 == n->k2 && m->k3 == n->k3 && m->average_shear == n->average_shear &&
+           !hobe_section_varies(a->section);
 }
 
 /* The references of a curved beam's elements: nodes on the curve, slopes and section axes its own.

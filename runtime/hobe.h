@@ -139,6 +139,8 @@ struct hobe_material {
     double nu;     /* Poisson's ratio, -1 < nu < 1/2 */
     double rho;    /* density, kg/m^3, >= 0 (0 where no mass is needed) */
     double k2, k3; /* shear correction factors on xz and xy (eq. 20), > 0; 1 where none is wanted */
+    int average_shear; /* 0: they act at every point, and correct torsion too; 1: on the shear strain
+                          averaged over the section, which torsion has none of */
 };
 
 enum hobe_mechanics {

@@ -57,6 +57,10 @@ static const struct hobe_lua_key material_keys[] = {
     MATERIAL(rho, KEY_FROM(0), .unit = "kg/m^3", .doc = "density; needed where mass matters"),
     MATERIAL(k2, KEY_ABOVE(0), .fallback = 1, .doc = "shear correction on xz"),
     MATERIAL(k3, KEY_ABOVE(0), .fallback = 1, .doc = "shear correction on xy"),
+    KEY_AS("k", struct hobe_material, average_shear, KEY_CHOICE, .choices = "point|average",
+           .word = "point",
+           .doc = "where k2 and k3 act: on the strain at every point, which makes torsion softer, "
+                  "too, or on the shear strain averaged over the section, which leaves it alone"),
     {0}};
 
 const struct hobe_lua_schema hobe_lua_material_schema = {"material", material_keys};
@@ -76,7 +80,7 @@ static const struct hobe_lua_key beam_keys[] = {
     BEAM(elements, KEY_WHOLE, REQUIRED, KEY_WITHIN(1, 1e6), .doc = "number of elements"),
     BEAM(section, KEY_SECTION, REQUIRED, .doc = "a section, such as hobe.rectangle{...}"),
     BEAM(material, KEY_GROUP, REQUIRED, .group = &hobe_lua_material_schema,
-         .doc = "a table {E =, nu =, rho =, k2 =, k3 =}"),
+         .doc = "a table {E =, nu =, rho =, k2 =, k3 =, k =}"),
     BEAM(from, KEY_VECTOR, .unit = "m", .doc = "begin of a straight axis, {x, y, z}"),
     BEAM(to, KEY_VECTOR, .unit = "m", .doc = "its end"),
     KEY_OF_OTHER(
@@ -140,6 +144,7 @@ static int beam(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &beam_schema, &read);
     read.beam.kernel = hobe_lua_find_kernel(L, read.element);
+    read.beam.material.average_shear = read.beam.material.average_shear == 2;
     read.beam.mechanics = (enum hobe_mechanics)read.mechanics;
     read.beam.integration = read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
     push_axis(L, &read.beam);

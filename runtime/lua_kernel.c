@@ -161,7 +161,8 @@ static const struct hobe_lua_key keys[] = {
     KEY_AS("section", struct options, element.section, KEY_SECTION, REQUIRED,
            .doc = "a section, such as hobe.rectangle{...}"),
     KEY_AS("material", struct options, element.material, KEY_GROUP, REQUIRED,
-           .group = &hobe_lua_material_schema, .doc = "a table {E =, nu =, rho =, k2 =, k3 =}"),
+           .group = &hobe_lua_material_schema,
+           .doc = "a table {E =, nu =, rho =, k2 =, k3 =, k =}"),
     KEY_AS("length", struct options, element.length, KEY_NUMBER, REQUIRED, KEY_ABOVE(0),
            .unit = "m", .doc = "its length"),
     KEY(struct options, mechanics, KEY_CHOICE, .choices = "average|axis|full",
@@ -213,6 +214,7 @@ static int kernel(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &schema, &read);
     read.element.kernel = hobe_lua_find_kernel(L, read.name);
+    read.element.material.average_shear = read.element.material.average_shear == 2;
     read.element.mechanics = (enum hobe_mechanics)read.mechanics;
     read.element.integration =
         read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;

@@ -43,9 +43,11 @@ void hobe_material_law(const struct hobe_material *m, enum hobe_mechanics mechan
     const double G = m->E / (2 * (1 + m->nu));
     const double lambda = m->E * m->nu / ((1 + m->nu) * (1 - 2 * m->nu));
     const int full = mechanics == HOBE_MECHANICS_FULL;
-    *point = (struct hobe_elasticity){.shear = {G, m->k2 * G, m->k3 * G}};
-    *mean = (struct hobe_elasticity){0};
-    for (int a = 0; a < 3; a++)
+    const double k[3] = {1, m->k2, m->k3};
+    *point = *mean = (struct hobe_elasticity){0};
+    for (int a = 0; a < 3; a++) {
+        point->shear[a] = m->average_shear ? G : k[a] * G;
+        mean->shear[a] = m->average_shear ? (k[a] - 1) * G : 0;
         for (int b = 0; b < 3; b++) {
             /* eqs. 19 and 20: E = E0 + Enu, lambda + 2G = E + 2 lambda nu on the diagonal */
             const double E0 = a == b ? m->E : 0;
@@ -53,4 +55,5 @@ void hobe_material_law(const struct hobe_material *m, enum hobe_mechanics mechan
             point->normal[a][b] = full ? E0 + Enu : E0;
             mean->normal[a][b] = full ? 0 : Enu;
         }
+    }
 }

@@ -156,6 +156,14 @@ static int inside(const struct hobe_outline *o, int l, const double p[2])
     return odd;
 }
 
+int hobe_outline_holds(const struct hobe_outline *o, const double p[2])
+{
+    int odd = 0;
+    for (int l = 0; l < o->loops; l++)
+        odd ^= inside(o, l, p);
+    return odd;
+}
+
 /* No edges cross, so that one point of each hole tells. */
 static enum hobe_status check_holes(const struct hobe_outline *o, struct hobe_error *err)
 {

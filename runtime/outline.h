@@ -16,6 +16,9 @@ double hobe_outline_area(const struct hobe_outline *outline, double centroid[2])
 
 void hobe_outline_move(struct hobe_outline *outline, double y, double z);
 
+/* Whether p lies in the material. */
+int hobe_outline_holds(const struct hobe_outline *outline, const double p[2]);
+
 /* The point that follows point i of the loop. */
 int hobe_outline_next(const struct hobe_outline *outline, int loop, int i);
 

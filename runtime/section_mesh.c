@@ -23,10 +23,22 @@ static const struct {
     double growth; /* of the size with the distance from it */
 } CONVEX = {0.08, 0.08}, REENTRANT = {0.01, 0.45};
 
+/* Away from a part of a section triangles may grow by this much of the distance. */
+static const double OUTSIDE = 0.5;
+
+/* What sizes the triangles of one outline. */
 struct sizing {
     const struct hobe_outline *outline;
     double thickness; /* 2 A/perimeter: of a thin wall its thickness, of a square half its side */
     signed char *corner; /* [points] 1 convex, -1 re-entrant, 0 where the outline runs on */
+};
+
+struct job {
+    int parts;
+    struct sizing *part; /* [parts] */
+    double unit;         /* of lengths in gmsh, m: the section's extent, for absolute tolerances */
+    int points;          /* of all parts */
+    int *tags;           /* scratch, [points] */
 };
 
 static double cross(const double a[2], const double b[2])
@@ -34,9 +46,10 @@ static double cross(const double a[2], const double b[2])
     return a[0] * b[1] - a[1] * b[0];
 }
 
-/* The nearest point q of the outline to p, and the inward normal there.  Asked some hundred
- * thousand times: no square roots within the loop. */
-static void nearest_edge(const struct hobe_outline *o, const double p[2], double q[2], double n[2])
+/* The nearest point q of the outline to p, and the inward normal there; returns the distance. Asked
+ * some hundred thousand times: no square roots within the loop. */
+static double nearest_edge(const struct hobe_outline *o, const double p[2], double q[2],
+                           double n[2])
 {
     double best = INFINITY;
     for (int l = 0; l < o->loops; l++)
@@ -58,14 +71,17 @@ static void nearest_edge(const struct hobe_outline *o, const double p[2], double
     const double length = hypot(n[0], n[1]);
     n[0] /= length;
     n[1] /= length;
+    return sqrt(best);
 }
 
-/* How thick the wall is at p: from the nearest edge straight across to the next one. */
-static double wall(const struct sizing *s, const double p[2])
+/* How thick the wall is at p: from the nearest edge straight across to the next one.  outside: how
+ * far p lies out of the outline. */
+static double wall(const struct sizing *s, const double p[2], double *outside)
 {
     const struct hobe_outline *o = s->outline;
     double q[2] = {0, 0}, n[2] = {0, 1}, across = INFINITY;
-    nearest_edge(o, p, q, n);
+    const double far = nearest_edge(o, p, q, n);
+    *outside = (p[0] - q[0]) * n[0] + (p[1] - q[1]) * n[1] < 0 ? far : 0;
     for (int l = 0; l < o->loops; l++)
         for (int i = o->start[l]; i < o->start[l + 1]; i++) {
             const double *a = o->point[i], *b = o->point[hobe_outline_next(o, l, i)];
@@ -81,21 +97,32 @@ static double wall(const struct sizing *s, const double p[2])
     return across;
 }
 
-static double size_at(int dim, int tag, double y, double z, double x, void *data)
+/* The size that one outline asks for at p. */
+static double size_for(const struct sizing *s, const double p[2])
 {
-    const struct sizing *s = data;
     const struct hobe_outline *o = s->outline;
-    const double p[2] = {y, z};
-    double size = fmax(PLAIN * wall(s, p), CONVEX.size * s->thickness);
-    (void)dim, (void)tag, (void)x;
+    double outside;
+    double size = fmax(PLAIN * wall(s, p, &outside), CONVEX.size * s->thickness);
+    size += OUTSIDE * outside;
     for (int i = 0; i < o->start[o->loops]; i++)
         if (s->corner[i]) {
-            const double far = hypot(y - o->point[i][0], z - o->point[i][1]);
+            const double far = hypot(p[0] - o->point[i][0], p[1] - o->point[i][1]);
             size =
                 fmin(size, s->corner[i] < 0 ? REENTRANT.size * s->thickness + REENTRANT.growth * far
                                             : CONVEX.size * s->thickness + CONVEX.growth * far);
         }
     return size;
+}
+
+static double size_at(int dim, int tag, double y, double z, double x, void *data)
+{
+    const struct job *job = data;
+    const double p[2] = {y * job->unit, z * job->unit};
+    double size = INFINITY;
+    (void)dim, (void)tag, (void)x;
+    for (int i = 0; i < job->parts; i++)
+        size = fmin(size, size_for(job->part + i, p));
+    return size / job->unit;
 }
 
 static enum hobe_status set_sizing(const struct hobe_outline *o, struct sizing *s,
@@ -136,16 +163,17 @@ static enum hobe_status set_sizing(const struct hobe_outline *o, struct sizing *
     X(gmshFinalize)                                                                                \
     X(gmshFree)                                                                                    \
     X(gmshInitialize)                                                                              \
-    X(gmshModelGeoAddCurveLoop)                                                                    \
-    X(gmshModelGeoAddLine)                                                                         \
-    X(gmshModelGeoAddPlaneSurface)                                                                 \
-    X(gmshModelGeoAddPoint)                                                                        \
-    X(gmshModelGeoSynchronize)                                                                     \
     X(gmshModelMeshGenerate)                                                                       \
     X(gmshModelMeshGetElementsByType)                                                              \
     X(gmshModelMeshGetNodes)                                                                       \
     X(gmshModelMeshSetOrder)                                                                       \
     X(gmshModelMeshSetSizeCallback)                                                                \
+    X(gmshModelOccAddCurveLoop)                                                                    \
+    X(gmshModelOccAddLine)                                                                         \
+    X(gmshModelOccAddPlaneSurface)                                                                 \
+    X(gmshModelOccAddPoint)                                                                        \
+    X(gmshModelOccFragment)                                                                        \
+    X(gmshModelOccSynchronize)                                                                     \
     X(gmshOptionSetNumber)
 
 #define MEMBER(f) __typeof__(&(f)) f;
@@ -193,34 +221,68 @@ static void set_options(int *ierr)
         gmsh.gmshOptionSetNumber(option[i].name, option[i].value, ierr);
 }
 
-/* One loop of points and lines, which have the same tags; the loop's tag is l + 1. */
-static void add_loop(const struct hobe_outline *o, int l, int *tags, int *ierr)
+/* Loop l of a part: points and lines have the same tags, those of the loop follow `before`. */
+static void add_loop(struct job *job, const struct hobe_outline *o, int l, int before, int loop,
+                     int *ierr)
 {
     const int from = o->start[l], to = o->start[l + 1];
     for (int i = from; !*ierr && i < to; i++)
-        gmsh.gmshModelGeoAddPoint(o->point[i][0], o->point[i][1], 0, 0, i + 1, ierr);
+        gmsh.gmshModelOccAddPoint(o->point[i][0] / job->unit, o->point[i][1] / job->unit, 0, 0,
+                                  before + i + 1, ierr);
     for (int i = from; !*ierr && i < to; i++) {
-        gmsh.gmshModelGeoAddLine(i + 1, hobe_outline_next(o, l, i) + 1, i + 1, ierr);
-        tags[i - from] = i + 1;
+        job->tags[i - from] = before + i + 1;
+        gmsh.gmshModelOccAddLine(before + i + 1, before + hobe_outline_next(o, l, i) + 1,
+                                 before + i + 1, ierr);
     }
     if (!*ierr)
-        gmsh.gmshModelGeoAddCurveLoop(tags, (size_t)(to - from), l + 1, 0, ierr);
+        gmsh.gmshModelOccAddCurveLoop(job->tags, (size_t)(to - from), loop, ierr);
 }
 
-static void generate(struct sizing *s, int *tags, int *ierr)
+/* One surface for each part, tags 1, 2, ... */
+static void add_parts(struct job *job, int *ierr)
 {
-    const struct hobe_outline *o = s->outline;
+    int points = 0, loops = 0;
+    for (int k = 0; k < job->parts; k++) {
+        const struct hobe_outline *o = job->part[k].outline;
+        for (int l = 0; !*ierr && l < o->loops; l++)
+            add_loop(job, o, l, points, loops + l + 1, ierr);
+        for (int l = 0; l < o->loops; l++)
+            job->tags[l] = loops + l + 1;
+        if (!*ierr)
+            gmsh.gmshModelOccAddPlaneSurface(job->tags, (size_t)o->loops, k + 1, ierr);
+        points += o->start[o->loops];
+        loops += o->loops;
+    }
+}
+
+/* Cuts the surfaces where they meet, so that they share edges. */
+static void join_parts(struct job *job, int *ierr)
+{
+    int *surface = job->tags, *out = NULL, **map = NULL; /* surface: pairs of dimension and tag */
+    size_t outs, *counts = NULL, maps = 0;
+    for (int k = 0; k < job->parts; k++) {
+        surface[2 * k] = 2;
+        surface[2 * k + 1] = k + 1;
+    }
+    gmsh.gmshModelOccFragment(surface, 2, surface + 2, 2 * (size_t)job->parts - 2, &out, &outs,
+                              &map, &counts, &maps, -1, 1, 1, ierr);
+    for (size_t i = 0; i < maps; i++)
+        gmsh.gmshFree(map[i]);
+    gmsh.gmshFree(map);
+    gmsh.gmshFree(counts);
+    gmsh.gmshFree(out);
+}
+
+static void generate(struct job *job, int *ierr)
+{
     set_options(ierr);
-    for (int l = 0; !*ierr && l < o->loops; l++)
-        add_loop(o, l, tags, ierr);
-    for (int l = 0; l < o->loops; l++)
-        tags[l] = l + 1;
+    add_parts(job, ierr);
+    if (!*ierr && job->parts > 1)
+        join_parts(job, ierr);
     if (!*ierr)
-        gmsh.gmshModelGeoAddPlaneSurface(tags, (size_t)o->loops, 1, ierr);
+        gmsh.gmshModelOccSynchronize(ierr);
     if (!*ierr)
-        gmsh.gmshModelGeoSynchronize(ierr);
-    if (!*ierr)
-        gmsh.gmshModelMeshSetSizeCallback(size_at, s, ierr);
+        gmsh.gmshModelMeshSetSizeCallback(size_at, job, ierr);
     if (!*ierr)
         gmsh.gmshModelMeshGenerate(2, ierr);
     if (!*ierr)
@@ -252,8 +314,9 @@ static void free_raw(struct raw *raw)
     gmsh.gmshFree(raw->parameter);
 }
 
-/* Numbers the nodes from 0 and turns the triangles anticlockwise. */
-static enum hobe_status take(const struct raw *raw, struct hobe_mesh *mesh, struct hobe_error *err)
+/* Numbers the nodes of triangles from 0 and turns the triangles anticlockwise. */
+static enum hobe_status take(const struct raw *raw, double unit, struct hobe_mesh *mesh,
+                             struct hobe_error *err)
 {
     size_t most = 0;
     for (size_t i = 0; i < raw->tags; i++)
@@ -261,17 +324,21 @@ static enum hobe_status take(const struct raw *raw, struct hobe_mesh *mesh, stru
     int *number = hobe_alloc(most + 1, sizeof *number, err);
     mesh->node = hobe_alloc(raw->tags, sizeof *mesh->node, err);
     mesh->triangle = hobe_alloc(raw->elements, sizeof *mesh->triangle, err);
-    if (!number || !mesh->node || !mesh->triangle) {
+    mesh->region = hobe_alloc(raw->elements, sizeof *mesh->region, err);
+    if (!number || !mesh->node || !mesh->triangle || !mesh->region) {
         hobe_free(number);
         return HOBE_NO_MEMORY;
     }
-    mesh->nodes = (int)raw->tags;
     mesh->triangles = (int)raw->elements;
-    for (size_t i = 0; i < raw->tags; i++) {
-        number[raw->tag[i]] = (int)i;
-        mesh->node[i][0] = raw->coordinate[3 * i];
-        mesh->node[i][1] = raw->coordinate[3 * i + 1];
-    }
+    for (size_t i = 0; i < raw->ofs; i++)
+        number[raw->of[i]] = 1;
+    for (size_t i = 0; i < raw->tags; i++)
+        if (number[raw->tag[i]]) {
+            double *node = mesh->node[mesh->nodes];
+            number[raw->tag[i]] = mesh->nodes++;
+            node[0] = raw->coordinate[3 * i] * unit;
+            node[1] = raw->coordinate[3 * i + 1] * unit;
+        }
     for (size_t t = 0; t < raw->elements; t++) {
         static const int turned[NODES] = {0, 2, 1, 5, 4, 3};
         const size_t *tag = raw->of + NODES * t;
@@ -286,15 +353,37 @@ static enum hobe_status take(const struct raw *raw, struct hobe_mesh *mesh, stru
     return HOBE_OK;
 }
 
-static enum hobe_status run(struct sizing *s, int *tags, struct hobe_mesh *mesh,
-                            struct hobe_error *err)
+/* The part that holds the middle of each triangle. */
+static enum hobe_status set_regions(const struct job *job, struct hobe_mesh *mesh,
+                                    struct hobe_error *err)
+{
+    for (int t = 0; t < mesh->triangles; t++) {
+        const int *n = mesh->triangle[t];
+        double p[2];
+        int held = 0;
+        for (int a = 0; a < 2; a++)
+            p[a] = (mesh->node[n[0]][a] + mesh->node[n[1]][a] + mesh->node[n[2]][a]) / 3;
+        for (int k = 0; k < job->parts; k++) {
+            if (!hobe_outline_holds(job->part[k].outline, p))
+                continue;
+            if (held++)
+                return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                                 "parts %d and %d overlap at (%g, %g); parts must touch only",
+                                 mesh->region[t] + 1, k + 1, p[0], p[1]);
+            mesh->region[t] = k;
+        }
+    }
+    return HOBE_OK;
+}
+
+static enum hobe_status run(struct job *job, struct hobe_mesh *mesh, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_OK;
     struct raw raw = {0};
     int ierr = 0, ignored;
     gmsh.gmshInitialize(0, NULL, 0, &ierr);
     if (!ierr)
-        generate(s, tags, &ierr);
+        generate(job, &ierr);
     if (!ierr)
         fetch(&raw, &ierr);
     if (ierr || !raw.elements)
@@ -302,32 +391,56 @@ static enum hobe_status run(struct sizing *s, int *tags, struct hobe_mesh *mesh,
             hobe_fail(err, HOBE_BAD_INPUT, NULL,
                       "the section's outline of %d points could not be meshed; points that "
                       "nearly coincide or walls far thinner than the rest are the usual reason",
-                      s->outline->start[s->outline->loops]);
+                      job->points);
     if (!status)
-        status = take(&raw, mesh, err);
+        status = take(&raw, job->unit, mesh, err);
     free_raw(&raw);
     gmsh.gmshFinalize(&ignored);
-    return status;
+    return status ? status : set_regions(job, mesh, err);
 }
 
-enum hobe_status hobe_mesh_outline(const struct hobe_outline *outline, struct hobe_mesh *mesh,
-                                   struct hobe_error *err)
+static enum hobe_status set_job(int parts, const struct hobe_outline *outline, struct job *job,
+                                struct hobe_error *err)
 {
-    const size_t points = (size_t)outline->start[outline->loops];
-    struct sizing sizing;
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    job->part = hobe_alloc((size_t)parts, sizeof *job->part, err);
+    if (!job->part)
+        return HOBE_NO_MEMORY;
+    job->parts = parts;
+    for (int k = 0; k < parts; k++) {
+        const struct hobe_outline *o = outline + k;
+        const enum hobe_status status = set_sizing(o, job->part + k, err);
+        if (status)
+            return status;
+        for (int i = 0; i < o->start[1]; i++)
+            for (int a = 0; a < 2; a++) {
+                low[a] = fmin(low[a], o->point[i][a]);
+                high[a] = fmax(high[a], o->point[i][a]);
+            }
+        job->points += o->start[o->loops];
+    }
+    job->unit = fmax(high[0] - low[0], high[1] - low[1]);
+    job->tags = hobe_alloc((size_t)job->points, sizeof *job->tags, err);
+    return job->tags ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+enum hobe_status hobe_mesh_outlines(int parts, const struct hobe_outline *outline,
+                                    struct hobe_mesh *mesh, struct hobe_error *err)
+{
+    struct job job = {0};
     *mesh = (struct hobe_mesh){0};
-    enum hobe_status status = set_sizing(outline, &sizing, err);
-    int *tags = status ? NULL : hobe_alloc(points, sizeof *tags, err);
-    if (tags) {
+    enum hobe_status status = set_job(parts, outline, &job, err);
+    if (!status) {
         pthread_mutex_lock(&lock);
         status = load(err);
         if (!status)
-            status = run(&sizing, tags, mesh, err);
+            status = run(&job, mesh, err);
         pthread_mutex_unlock(&lock);
-    } else if (!status)
-        status = HOBE_NO_MEMORY;
-    hobe_free(tags);
-    hobe_free(sizing.corner);
+    }
+    for (int k = 0; k < job.parts; k++)
+        hobe_free(job.part[k].corner);
+    hobe_free(job.part);
+    hobe_free(job.tags);
     if (status)
         hobe_mesh_free(mesh);
     return status;
@@ -337,5 +450,6 @@ void hobe_mesh_free(struct hobe_mesh *mesh)
 {
     hobe_free(mesh->node);
     hobe_free(mesh->triangle);
+    hobe_free(mesh->region);
     *mesh = (struct hobe_mesh){0};
 }

@@ -17,11 +17,13 @@ struct hobe_mesh {
     int nodes, triangles;
     double (*node)[2];  /* y, z, m */
     int (*triangle)[6]; /* corners anticlockwise, then the middles of sides 01, 12, 20 */
+    int *region;        /* [triangles] the outline a triangle lies in */
 };
 
-/* Meshes a valid outline, finer near its corners.  The same outline gives the same mesh. */
-enum hobe_status hobe_mesh_outline(const struct hobe_outline *outline, struct hobe_mesh *mesh,
-                                   struct hobe_error *err);
+/* Meshes valid outlines, outline[parts], finer near their corners; triangles share the edges where
+ * outlines touch.  The same outlines give the same mesh.  One sentence when two overlap. */
+enum hobe_status hobe_mesh_outlines(int parts, const struct hobe_outline *outline,
+                                    struct hobe_mesh *mesh, struct hobe_error *err);
 void hobe_mesh_free(struct hobe_mesh *mesh);
 
 #endif

@@ -280,7 +280,7 @@ static enum hobe_status solve(struct shape *s, struct hobe_error *err)
 {
     struct hobe_section_properties *p = &s->base.properties;
     double energy;
-    enum hobe_status status = hobe_mesh_outline(&s->outline, &s->mesh, err);
+    enum hobe_status status = hobe_mesh_outlines(1, &s->outline, &s->mesh, err);
     if (status)
         return status;
     s->values = hobe_alloc(HOBE_SECTION_FUNCTIONS * (size_t)s->mesh.nodes, sizeof *s->values, err);

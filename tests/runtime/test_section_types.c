@@ -183,13 +183,16 @@ static hobe_element *element_of(const char *kernel, const hobe_section *section,
 }
 
 /* EA, EI and GJ of a beam are those of its section, also where axes couple.  A product of three
- * unsymmetric solutions leaves rounding times I_p/J in GJ. */
+ * unsymmetric solutions leaves rounding times I_p/J in GJ.  Where w is the paper's and wy and wz
+ * are solved, the mesh integrates all; it does not know the parts, nor J_w of theirs but to 1e-4.
+ */
 static void stiffness(hobe_section *section)
 {
-    static const char *const kernels[] = {"MGD30w", "3333w", "BE24w"};
+    static const char *const kernels[] = {"MGD30w", "3333w", "BE24w", "MGD30w3", "3333w3"};
     const struct hobe_section_properties p = properties_of(section);
     const double G = E / (2 * (1 + NU));
-    for (int k = 0; k < 3; k++) {
+    const int paper = strstr(hobe_section_text(section), "paper") != NULL;
+    for (int k = 0; k < 5; k++) {
         struct hobe_error err;
         double C[HOMOGENEOUS][HOMOGENEOUS];
         hobe_element *element = element_of(kernels[k], section, HOBE_MECHANICS_DEFAULT, &err);
@@ -199,7 +202,8 @@ static void stiffness(hobe_section *section)
         check_relative(C[STRETCH][STRETCH], E * p.A, 1e-9, "EA, %s", hobe_section_text(section));
         check_relative(C[BEND_Y][BEND_Y], E * p.Iyy, 1e-9, "EIyy, %s", hobe_section_text(section));
         check_relative(C[BEND_Z][BEND_Z], E * p.Izz, 1e-9, "EIzz, %s", hobe_section_text(section));
-        check_relative(C[TWIST][TWIST], G * p.J_w, 1e-7, "GJ, %s", hobe_section_text(section));
+        check_relative(C[TWIST][TWIST], G * p.J_w, paper && k > 2 ? 1e-4 : 1e-7, "GJ, %s",
+                       hobe_section_text(section));
         hobe_element_free(element);
     }
     hobe_section_free(section);
