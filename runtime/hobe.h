@@ -71,19 +71,21 @@ hobe_section *hobe_section_tube(double outer, double inner, struct hobe_error *e
 
 /* Sections of a web along z and flanges along y. */
 enum hobe_profile {
-    HOBE_PROFILE_I,       /* doubly symmetric */
+    HOBE_PROFILE_I,       /* the flanges may differ */
     HOBE_PROFILE_CHANNEL, /* the web at y = 0, the flanges to the left of it */
     HOBE_PROFILE_T,       /* the flange on top */
     HOBE_PROFILE_ANGLE,   /* legs from the origin along y (the flange) and z (the web) */
     HOBE_PROFILES
 };
 struct hobe_profile_sizes {
-    double height, width; /* over all, along z and y */
-    double flange, web;   /* thicknesses */
+    double height, width;         /* over all, along z and y */
+    double flange, web;           /* thicknesses */
+    double top_width, top_flange; /* of an I-section's flange at +z; 0: as the other */
 };
 const char *hobe_profile_name(enum hobe_profile profile);
 
-/* w solved; for the I-section also the paper's. */
+/* w solved; for the I-section with equal flanges also the paper's.  Its coordinates begin in the
+ * middle of the height. */
 hobe_section *hobe_section_profile(enum hobe_profile profile,
                                    const struct hobe_profile_sizes *sizes,
                                    enum hobe_warping warping, struct hobe_error *err);

@@ -2,6 +2,7 @@
 /* Sections as Lua sees them. */
 #include "lua_hobe.h"
 
+#include <math.h>
 #include <string.h>
 
 static int finalize(lua_State *L)
@@ -58,6 +59,12 @@ static hobe_section **push_section(lua_State *L)
     *section = NULL;
     hobe_lua_set_type(L, HOBE_LUA_SECTION, finalize, NULL, get_field);
     return section;
+}
+
+/* A number whose key was left out: the library takes 0 for its default. */
+static double or_zero(double x)
+{
+    return isnan(x) ? 0 : x;
 }
 
 /* ---- rectangles ----------------------------------------------------------------------------- */
@@ -166,7 +173,16 @@ struct profile {
     KEY(struct profile, warping, KEY_CHOICE, .choices = "solved|paper", .word = "solved",          \
         .doc = "warping function: finite elements, or the paper's closed form, " equation)
 
-static const struct hobe_lua_key I_keys[] = {PROFILE_KEYS, CLOSED_FORM("eq. 34"), {0}};
+#define TOP(name, text)                                                                            \
+    KEY_AS(#name, struct profile, sizes.name, KEY_NUMBER, KEY_ABOVE(0), .fallback = NAN,           \
+           .unit = "m", .doc = text)
+
+static const struct hobe_lua_key I_keys[] = {
+    PROFILE_KEYS,
+    TOP(top_width, "size along y of the flange at +z, where it is not `width`"),
+    TOP(top_flange, "thickness of the flange at +z, where it is not `flange`"),
+    CLOSED_FORM("eq. 34, for equal flanges"),
+    {0}};
 static const struct hobe_lua_key profile_keys[] = {PROFILE_KEYS, {0}};
 static const struct hobe_lua_key hollow_keys[] = {PART(width, "size along y"),
                                                   PART(height, "size along z"),
@@ -195,6 +211,8 @@ static int make_profile(lua_State *L, enum hobe_profile kind)
     struct profile p = {0};
     struct hobe_error err;
     hobe_lua_read(L, 1, profile_schemas + kind, &p);
+    p.sizes.top_width = or_zero(p.sizes.top_width);
+    p.sizes.top_flange = or_zero(p.sizes.top_flange);
     hobe_section **section = push_section(L);
     *section = hobe_section_profile(kind, &p.sizes, outline_warping(p.warping), &err);
     if (!*section)
@@ -335,7 +353,8 @@ const struct hobe_lua_entry hobe_lua_section_entries[] = {
     {"tube", tube, "hobe.tube{outer =, inner =}", "A round tube, which does not warp.",
      &tube_schema, NULL},
     {"I", I, "hobe.I{height =, width =, flange =, web =}",
-     "A doubly symmetric I-section.  Its warping function, as that of every outline below, is "
+     "An I-section; its flanges may differ.  Its warping function, as that of every outline below, "
+     "is "
      "solved by finite elements on a mesh that is finer at the corners; it is orthogonal to 1, y "
      "and z, which makes it that of a twist about the shear centre.",
      profile_schemas + HOBE_PROFILE_I, NULL},

@@ -11,7 +11,8 @@ enum { KINDS = 4 };
 static hobe_section *make(int kind, struct hobe_error *err)
 {
     static const double corner[6][2] = {{0, 0}, {3, 0}, {3, 2}, {1, .5}, {2, .5}, {2, 1}};
-    static const struct hobe_profile_sizes sizes = {.2, .1, .02, .02};
+    static const struct hobe_profile_sizes sizes = {
+        .height = .2, .width = .1, .flange = .02, .web = .02};
     switch (kind) {
     case 0:
         return hobe_section_tube(2, 1, err);
