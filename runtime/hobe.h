@@ -101,6 +101,26 @@ enum { HOBE_MAX_OUTLINE = 1000 }; /* points, those of the holes included */
 hobe_section *hobe_section_polygon(int loops, const int *points, const double (*point)[2],
                                    struct hobe_error *err);
 
+/* The text of a file that holds an outline with its holes: of all loops, in whatever order, that of
+ * the largest area is the outline.
+ *
+ * A list of points: lines of y and z, apart by blanks or a comma; an empty line parts loops, '#'
+ * begins a comment, and the first line may be a name or a head.  This is also Selig's format of
+ * airfoils.
+ *
+ * A drawing in DXF (as text), where name ends in ".dxf": LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and
+ * POLYLINE, chained to loops where their ends coincide (to 1e-5 of the extent); x is y, y is z.
+ * Arcs become chords that enclose the same area. */
+struct hobe_outline_file {
+    const char *name; /* for sentences */
+    const char *text; /* [size], any bytes */
+    size_t size;      /* <= HOBE_MOST_OUTLINE_BYTES */
+    double scale;     /* m in a unit of the file; 0: that of its $INSUNITS, else 1 */
+    double tolerance; /* greatest distance of chords from an arc, m; 0: 1e-3 of the extent */
+};
+enum { HOBE_MOST_OUTLINE_BYTES = 16 << 20 };
+hobe_section *hobe_section_file(const struct hobe_outline_file *file, struct hobe_error *err);
+
 void hobe_section_free(hobe_section *section);
 void hobe_section_properties(const hobe_section *section, struct hobe_section_properties *p);
 
