@@ -29,8 +29,9 @@ static const struct hobe_lua_field fields[] = {
     PROPERTY(zs, "m", "the same, z"),
     PROPERTY(Wagner, "m^6",
              "Wagner constant: integral of r^4 - (integral of r^2)^2/A, r from the shear centre"),
-    PROPERTY(ky, NULL, "shear correction factor along y, with wy: 1/ky is the energy of a shear force "
-                     "over that of an even shear stress"),
+    PROPERTY(ky, NULL,
+             "shear correction factor along y, with wy: 1/ky is the energy of a shear force "
+             "over that of an even shear stress"),
     PROPERTY(kz, NULL, "the same along z, with wz"),
     PROPERTY(kyz, NULL,
              "couples them: the energy of Vy and Vz through the shear centre is "
@@ -340,6 +341,43 @@ static int polygon(lua_State *L)
     return 1;
 }
 
+/* ---- outlines from files -------------------------------------------------------------------- */
+
+struct outline {
+    const char *file;
+    double scale, tolerance;
+};
+
+static const struct hobe_lua_key outline_keys[] = {
+    KEY(struct outline, file, KEY_TEXT, REQUIRED,
+        .doc = "name of the file, from the folder of the case"),
+    KEY(struct outline, scale, KEY_NUMBER, KEY_ABOVE(0), .fallback = NAN, .unit = "m",
+        .doc = "one unit of the file; left out: the unit that a DXF file names, else 1 m"),
+    KEY(struct outline, tolerance, KEY_NUMBER, KEY_ABOVE(0), .fallback = NAN, .unit = "m",
+        .doc = "greatest distance between an arc and its chords; left out: 1e-3 of the extent"),
+    {0}};
+static const struct hobe_lua_schema outline_schema = {"outline", outline_keys};
+
+static int outline(lua_State *L)
+{
+    struct outline o;
+    struct hobe_error err;
+    struct hobe_text text = {0};
+    hobe_lua_read(L, 1, &outline_schema, &o);
+    hobe_section **section = push_section(L);
+    hobe_lua_read_file(L, "outline", o.file, HOBE_MOST_OUTLINE_BYTES, &text);
+    const struct hobe_outline_file file = {.name = o.file,
+                                           .text = text.at ? text.at : "",
+                                           .size = text.size,
+                                           .scale = or_zero(o.scale),
+                                           .tolerance = or_zero(o.tolerance)};
+    *section = hobe_section_file(&file, &err);
+    hobe_text_free(&text);
+    if (!*section)
+        hobe_lua_raise(L, &err);
+    return 1;
+}
+
 const struct hobe_lua_entry hobe_lua_section_entries[] = {
     {"rectangle", rectangle, "hobe.rectangle{width =, height =}",
      "A solid rectangle, about its centroid.  Besides the fields below, `text` says in words what "
@@ -371,4 +409,14 @@ const struct hobe_lua_entry hobe_lua_section_entries[] = {
      NULL},
     {"polygon", polygon, "hobe.polygon{ {y, z}, {y, z}, ..., holes = {...} }",
      "Any outline, with holes.", &polygon_schema, NULL},
+    {"outline", outline, "hobe.outline{file =}",
+     "An outline with its holes from a file: of all its loops, that of the largest area is the "
+     "outline.  A file whose name ends in `.dxf` is a drawing in DXF, as text: its LINE, ARC, "
+     "CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE are chained where their ends coincide, to 1e-5 of "
+     "the extent; x is y, y is z; arcs become chords that enclose the same area.  Any other file "
+     "is a list of points: `y z` or `y, z` on each line, an empty line between loops, `#` before "
+     "comments, the first line a name or a head if it is no point; airfoils in Selig's format are "
+     "such lists.  A case script reads regular files of at most 16 MB in its own folder and below, "
+     "through no symbolic link, unless `--trust` is given; `text` says which unit was used.",
+     &outline_schema, NULL},
     {0}};

@@ -220,8 +220,8 @@ static enum hobe_status check_file(const struct hobe_outline_file *file, struct 
                          file->name, file->tolerance);
     if (file->size > HOBE_MOST_OUTLINE_BYTES)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "%s: a file of an outline may have %d bytes, got %zu", file->name,
-                         HOBE_MOST_OUTLINE_BYTES, file->size);
+                         "%s: a file of an outline may have at most %d MB", file->name,
+                         HOBE_MOST_OUTLINE_BYTES >> 20);
     return HOBE_OK;
 }
 
@@ -250,8 +250,8 @@ hobe_section *hobe_section_file(const struct hobe_outline_file *file, struct hob
     struct hobe_unit unit;
     if (hobe_outline_read(file, &loops, &unit, err))
         return NULL;
-    hobe_section *section =
-        hobe_section_polygon(loops.loops, loops.points, (const double(*)[2])loops.point, err);
+    hobe_section *section = hobe_section_outline(
+        loops.loops, loops.points, (const double(*)[2])loops.point, NULL, HOBE_WARPING_SOLVED, err);
     char quote[48];
     if (section)
         snprintf(section->text, sizeof section->text,
@@ -259,6 +259,8 @@ hobe_section *hobe_section_file(const struct hobe_outline_file *file, struct hob
                  hobe_word_quote((struct hobe_word){file->name, strlen(file->name)}, quote),
                  loops.points[0], loops.loops - 1, loops.loops == 2 ? "" : "s", unit.metres,
                  unit.text, hobe_section_triangles(section));
+    else
+        hobe_fail_in(err, file->name);
     hobe_loops_free(&loops);
     return section;
 }

@@ -328,7 +328,7 @@ static void bad_files(void)
                           "ENTITIES\n0\nENDSEC\n0\nEOF\n");
     refused(&file, "$INSUNITS = 3, is not known");
     file.size = (size_t)HOBE_MOST_OUTLINE_BYTES + 1; /* refused before a byte is read */
-    refused(&file, "16777216 bytes, got 16777217");
+    refused(&file, "at most 16 MB");
 }
 
 /* ---- any bytes ------------------------------------------------------------------------------ */
