@@ -62,7 +62,7 @@ static enum hobe_status fail_at(const struct dxf *dxf, struct hobe_error *err, i
                      what, advice);
 }
 
-/* The next pair of lines; 0 at the end of the file.  A code is a whole number. */
+/* The next pair of lines. */
 static enum hobe_status next_tag(struct dxf *dxf, struct tag *tag, struct hobe_error *err)
 {
     struct hobe_word code = {0};

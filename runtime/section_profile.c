@@ -150,12 +150,14 @@ static enum hobe_status check_sizes(enum hobe_profile profile, const struct hobe
 static void write_text(enum hobe_profile profile, const struct hobe_profile_sizes *s,
                        enum hobe_warping warping, char *text, size_t size)
 {
-    char top[60] = "";
-    if (!equal_flanges(s))
-        snprintf(top, sizeof top, ", top flange %g x %g m", s->top_width, s->top_flange);
-    snprintf(text, size, "%s %g m high, %g m wide, flange %g m, web %g m%s, w: %s",
-             profiles[profile].name, s->height, s->width, s->flange, s->web, top,
-             warping_words(warping));
+    if (equal_flanges(s))
+        snprintf(text, size, "%s %g m high, %g m wide, flange %g m, web %g m, w: %s",
+                 profiles[profile].name, s->height, s->width, s->flange, s->web,
+                 warping_words(warping));
+    else
+        snprintf(text, size, "I %g m high, flanges %g x %g m and %g x %g m (top), web %g m, w: %s",
+                 s->height, s->width, s->flange, s->top_width, s->top_flange, s->web,
+                 warping_words(warping));
 }
 
 hobe_section *hobe_section_profile(enum hobe_profile profile,

@@ -141,6 +141,25 @@ static void rounded_rectangles(void)
         }
 }
 
+/* Programs of old pad group codes and end lines as DOS did. */
+static void padded(void)
+{
+    char text[MOST];
+    size_t size = 0;
+    struct hobe_unit unit;
+    for (const char *c = dxf(light); *c; c++)
+        size += (size_t)snprintf(text + size, sizeof text - size, *c == '\n' ? "\r\n  " : "%c", *c);
+    struct hobe_outline_file file = named("part.dxf", text);
+    struct hobe_loops loops = read_file(&file, &unit);
+    file = named("part.dxf", dxf(light));
+    struct hobe_loops plain = read_file(&file, &unit);
+    check_that(loops.points[0] == plain.points[0] &&
+                   !memcmp(loops.point, plain.point, (size_t)plain.points[0] * sizeof *plain.point),
+               "blanks around group codes and values change nothing");
+    hobe_loops_free(&loops);
+    hobe_loops_free(&plain);
+}
+
 /* A circle with an elliptic hole, a half moon of an elliptic arc, a bulge of more than half a
  * circle. */
 static void curves(void)
@@ -378,6 +397,7 @@ int main(void)
     lists();
     scales();
     rounded_rectangles();
+    padded();
     curves();
     tolerances();
     units();
