@@ -32,6 +32,15 @@ enum hobe_status hobe_fail(struct hobe_error *err, enum hobe_status status, cons
     return status;
 }
 
+void hobe_fail_in(struct hobe_error *err, const char *what)
+{
+    char sentence[sizeof err->message];
+    if (!err || err->status != HOBE_BAD_INPUT)
+        return;
+    memcpy(sentence, err->message, sizeof sentence);
+    snprintf(err->message, sizeof err->message, "%.200s: %.700s", what, sentence);
+}
+
 void *hobe_alloc(size_t count, size_t size, struct hobe_error *err)
 {
     allocations++;

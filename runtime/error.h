@@ -38,6 +38,9 @@ const char *hobe_status_words(enum hobe_status status);
 enum hobe_status hobe_fail(struct hobe_error *err, enum hobe_status status, const char *where,
                            const char *format, ...) __attribute__((format(printf, 4, 5)));
 
+/* Puts "what: " in front of a sentence about bad input in err (which may be NULL). */
+void hobe_fail_in(struct hobe_error *err, const char *what);
+
 /* Zeroed memory for count items of size bytes, aligned to 64 bytes (so that it may hold
  * hobe_lanes); NULL with err set when there is none.  A count of 0 gives a valid pointer. */
 void *hobe_alloc(size_t count, size_t size, struct hobe_error *err);

@@ -71,19 +71,21 @@ hobe_section *hobe_section_tube(double outer, double inner, struct hobe_error *e
 
 /* Sections of a web along z and flanges along y. */
 enum hobe_profile {
-    HOBE_PROFILE_I,       /* doubly symmetric */
+    HOBE_PROFILE_I,       /* the flanges may differ */
     HOBE_PROFILE_CHANNEL, /* the web at y = 0, the flanges to the left of it */
     HOBE_PROFILE_T,       /* the flange on top */
     HOBE_PROFILE_ANGLE,   /* legs from the origin along y (the flange) and z (the web) */
     HOBE_PROFILES
 };
 struct hobe_profile_sizes {
-    double height, width; /* over all, along z and y */
-    double flange, web;   /* thicknesses */
+    double height, width;         /* over all, along z and y */
+    double flange, web;           /* thicknesses */
+    double top_width, top_flange; /* of an I-section's flange at +z; 0: as the other */
 };
 const char *hobe_profile_name(enum hobe_profile profile);
 
-/* w solved; for the I-section also the paper's. */
+/* w solved; for the I-section with equal flanges also the paper's.  Its coordinates begin in the
+ * middle of the height. */
 hobe_section *hobe_section_profile(enum hobe_profile profile,
                                    const struct hobe_profile_sizes *sizes,
                                    enum hobe_warping warping, struct hobe_error *err);
@@ -98,6 +100,26 @@ enum { HOBE_MAX_OUTLINE = 1000 }; /* points, those of the holes included */
  * point[sum of loops][2] = y, z from any origin, either way round.  w solved. */
 hobe_section *hobe_section_polygon(int loops, const int *points, const double (*point)[2],
                                    struct hobe_error *err);
+
+/* The text of a file that holds an outline with its holes: of all loops, in whatever order, that of
+ * the largest area is the outline.
+ *
+ * A list of points: lines of y and z, apart by blanks or a comma; an empty line parts loops, '#'
+ * begins a comment, and the first line may be a name or a head.  This is also Selig's format of
+ * airfoils.
+ *
+ * A drawing in DXF (as text), where name ends in ".dxf": LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and
+ * POLYLINE, chained to loops where their ends coincide (to 1e-5 of the extent); x is y, y is z.
+ * Arcs become chords that enclose the same area. */
+struct hobe_outline_file {
+    const char *name; /* for sentences */
+    const char *text; /* [size], any bytes */
+    size_t size;      /* <= HOBE_MOST_OUTLINE_BYTES */
+    double scale;     /* m in a unit of the file; 0: that of its $INSUNITS, else 1 */
+    double tolerance; /* greatest distance of chords from an arc, m; 0: 1e-3 of the extent */
+};
+enum { HOBE_MOST_OUTLINE_BYTES = 16 << 20 };
+hobe_section *hobe_section_file(const struct hobe_outline_file *file, struct hobe_error *err);
 
 /* Gives the section at the fraction t in [0,1] of a beam's length; it is read before the next call
  * and stays its owner's. */

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files of a run: kept in memory until the run has succeeded, then written together, so that a run
- * that fails leaves nothing behind.  And io.open for case scripts, which sees the output folder
- * and nothing else. */
+ * that fails leaves nothing behind.  And what case scripts may read: io.open sees the output folder
+ * and nothing else, outlines come from the folder of the case. */
 #define _GNU_SOURCE
 #include "lua_hobe.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <lualib.h>
 #include <stdlib.h>
 #include <string.h>
@@ -116,6 +118,74 @@ void hobe_lua_write_files(lua_State *L)
     }
     draw(L, context->folder);
     hobe_lua_forget_files(context);
+}
+
+/* ---- reading -------------------------------------------------------------------------------- */
+
+/* Pushes the folder that relative names start from. */
+static const char *push_source(lua_State *L)
+{
+    const char *script = hobe_lua_context(L)->script;
+    const char *slash = script ? strrchr(script, '/') : NULL;
+    if (!slash)
+        return lua_pushliteral(L, ".");
+    return lua_pushlstring(L, script, slash == script ? 1 : (size_t)(slash - script));
+}
+
+static int open_trusted(lua_State *L, const char *name, struct hobe_error *err)
+{
+    const char *path = name;
+    if (*name != '/')
+        path = lua_pushfstring(L, "%s/%s", push_source(L), name);
+    const int file = open(path, O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        hobe_fail(err, HOBE_IO, NULL, "%.500s could not be read: %s", path, strerror(errno));
+    return file;
+}
+
+static int open_source(lua_State *L, const char *what, const char *name)
+{
+    const struct hobe_lua *context = hobe_lua_context(L);
+    struct hobe_error err;
+    if (!context->program || context->trusted) {
+        const int file = open_trusted(L, name, &err);
+        return file < 0 ? hobe_lua_fail(L, "%s: %s", what, err.message) : file;
+    }
+    if (hobe_check_name(name, NULL))
+        hobe_lua_fail(L,
+                      "%s: a case script reads files in its own folder and below: a relative name "
+                      "without \"..\" is needed, got \"%s\" (hobe run --trust allows others)",
+                      what, name);
+    const int file = hobe_open_file(push_source(L), name, &err);
+    if (file < 0)
+        hobe_lua_fail(L,
+                      "%s: %s; a case script reads regular files in its own folder and below, "
+                      "through no symbolic link (hobe run --trust allows others)",
+                      what, err.message);
+    return file;
+}
+
+void hobe_lua_read_file(lua_State *L, const char *what, const char *name, size_t most,
+                        struct hobe_text *text)
+{
+    const int top = lua_gettop(L), file = open_source(L, what, name);
+    char bytes[1 << 14];
+    ssize_t n;
+    do {
+        n = read(file, bytes, sizeof bytes);
+        if (n > 0)
+            hobe_text_bytes(text, bytes, (size_t)n);
+    } while ((n > 0 && text->size <= most && !text->status) || (n < 0 && errno == EINTR));
+    const int cause = errno;
+    close(file);
+    const enum hobe_status status = text->status;
+    if (n < 0 || status)
+        hobe_text_free(text);
+    if (status)
+        hobe_lua_check_text(L, &(struct hobe_text){.status = status});
+    if (n < 0)
+        hobe_lua_fail(L, "%s: %s could not be read: %s", what, name, strerror(cause));
+    lua_settop(L, top);
 }
 
 /* ---- io.open -------------------------------------------------------------------------------- */

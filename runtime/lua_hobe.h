@@ -76,6 +76,8 @@ struct hobe_lua {
     int log;            /* print Newton's log on stderr */
     int progress;       /* stderr is a terminal: show how far a solve is */
     const char *folder; /* for results, or NULL: no files; kept by the caller */
+    const char *script; /* the case, or NULL in a stock Lua; kept by the caller */
+    int trusted;        /* the case may read any file */
     int solves;         /* calls of a solver verb so far */
     int overridden;     /* some parameter is not at its default */
     int finishing;      /* the report's own files may be staged */
@@ -117,6 +119,13 @@ void hobe_lua_stage_picture(lua_State *L, const char *name, const char *script);
 /* Writes all staged files into the context's folder, draws the pictures, and forgets them. */
 void hobe_lua_write_files(lua_State *L);
 void hobe_lua_forget_files(struct hobe_lua *context);
+
+/* Reads the file `name` for hobe.`what` into the empty text, which the caller frees.  A relative name
+ * starts from the folder of the case, in a stock Lua from the working folder.  A case that is not
+ * trusted reads regular files in its folder and below, through no symbolic link.  Raises, with the
+ * text freed; reading ends soon after `most` bytes, which the caller refuses. */
+void hobe_lua_read_file(lua_State *L, const char *what, const char *name, size_t most,
+                        struct hobe_text *text);
 
 /* io.open(name, "r" or "w") inside the output folder, for the sandbox. */
 int hobe_lua_io_open(lua_State *L);

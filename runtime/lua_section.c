@@ -2,6 +2,7 @@
 /* Sections as Lua sees them. */
 #include "lua_hobe.h"
 
+#include <math.h>
 #include <string.h>
 
 static int finalize(lua_State *L)
@@ -63,6 +64,12 @@ hobe_section **hobe_lua_new_section(lua_State *L)
     *section = NULL;
     hobe_lua_set_type(L, HOBE_LUA_SECTION, finalize, hobe_lua_section_methods, get_field);
     return section;
+}
+
+/* A number whose key was left out: the library takes 0 for its default. */
+static double or_zero(double x)
+{
+    return isnan(x) ? 0 : x;
 }
 
 /* ---- rectangles ----------------------------------------------------------------------------- */
@@ -171,7 +178,16 @@ struct profile {
     KEY(struct profile, warping, KEY_CHOICE, .choices = "solved|paper", .word = "solved",          \
         .doc = "warping function: finite elements, or the paper's closed form, " equation)
 
-static const struct hobe_lua_key I_keys[] = {PROFILE_KEYS, CLOSED_FORM("eq. 34"), {0}};
+#define TOP(name, text)                                                                            \
+    KEY_AS(#name, struct profile, sizes.name, KEY_NUMBER, KEY_ABOVE(0), .fallback = NAN,           \
+           .unit = "m", .doc = text)
+
+static const struct hobe_lua_key I_keys[] = {
+    PROFILE_KEYS,
+    TOP(top_width, "size along y of the flange at +z, where it is not `width`"),
+    TOP(top_flange, "thickness of the flange at +z, where it is not `flange`"),
+    CLOSED_FORM("eq. 34, for equal flanges"),
+    {0}};
 static const struct hobe_lua_key profile_keys[] = {PROFILE_KEYS, {0}};
 static const struct hobe_lua_key hollow_keys[] = {PART(width, "size along y"),
                                                   PART(height, "size along z"),
@@ -200,6 +216,8 @@ static int make_profile(lua_State *L, enum hobe_profile kind)
     struct profile p = {0};
     struct hobe_error err;
     hobe_lua_read(L, 1, profile_schemas + kind, &p);
+    p.sizes.top_width = or_zero(p.sizes.top_width);
+    p.sizes.top_flange = or_zero(p.sizes.top_flange);
     hobe_section **section = hobe_lua_new_section(L);
     *section = hobe_section_profile(kind, &p.sizes, outline_warping(p.warping), &err);
     if (!*section)
@@ -327,6 +345,43 @@ static int polygon(lua_State *L)
     return 1;
 }
 
+/* ---- outlines from files -------------------------------------------------------------------- */
+
+struct outline {
+    const char *file;
+    double scale, tolerance;
+};
+
+static const struct hobe_lua_key outline_keys[] = {
+    KEY(struct outline, file, KEY_TEXT, REQUIRED,
+        .doc = "name of the file, from the folder of the case"),
+    KEY(struct outline, scale, KEY_NUMBER, KEY_ABOVE(0), .fallback = NAN, .unit = "m",
+        .doc = "one unit of the file; left out: the unit that a DXF file names, else 1 m"),
+    KEY(struct outline, tolerance, KEY_NUMBER, KEY_ABOVE(0), .fallback = NAN, .unit = "m",
+        .doc = "greatest distance between an arc and its chords; left out: 1e-3 of the extent"),
+    {0}};
+static const struct hobe_lua_schema outline_schema = {"outline", outline_keys};
+
+static int outline(lua_State *L)
+{
+    struct outline o;
+    struct hobe_error err;
+    struct hobe_text text = {0};
+    hobe_lua_read(L, 1, &outline_schema, &o);
+    hobe_section **section = hobe_lua_new_section(L);
+    hobe_lua_read_file(L, "outline", o.file, HOBE_MOST_OUTLINE_BYTES, &text);
+    const struct hobe_outline_file file = {.name = o.file,
+                                           .text = text.at ? text.at : "",
+                                           .size = text.size,
+                                           .scale = or_zero(o.scale),
+                                           .tolerance = or_zero(o.tolerance)};
+    *section = hobe_section_file(&file, &err);
+    hobe_text_free(&text);
+    if (!*section)
+        hobe_lua_raise(L, &err);
+    return 1;
+}
+
 const struct hobe_lua_entry hobe_lua_section_entries[] = {
     {"rectangle", rectangle, "hobe.rectangle{width =, height =}",
      "A solid rectangle, about its centroid.  Besides the fields below, `text` says in words what "
@@ -340,7 +395,8 @@ const struct hobe_lua_entry hobe_lua_section_entries[] = {
     {"tube", tube, "hobe.tube{outer =, inner =}", "A round tube, which does not warp.",
      &tube_schema, NULL},
     {"I", I, "hobe.I{height =, width =, flange =, web =}",
-     "A doubly symmetric I-section.  Its warping function, as that of every outline below, is "
+     "An I-section; its flanges may differ.  Its warping function, as that of every outline below, "
+     "is "
      "solved by finite elements on a mesh that is finer at the corners; it is orthogonal to 1, y "
      "and z, which makes it that of a twist about the shear centre.",
      profile_schemas + HOBE_PROFILE_I, NULL},
@@ -357,4 +413,14 @@ const struct hobe_lua_entry hobe_lua_section_entries[] = {
      NULL},
     {"polygon", polygon, "hobe.polygon{ {y, z}, {y, z}, ..., holes = {...} }",
      "Any outline, with holes.", &polygon_schema, NULL},
+    {"outline", outline, "hobe.outline{file =}",
+     "An outline with its holes from a file: of all its loops, that of the largest area is the "
+     "outline.  A file whose name ends in `.dxf` is a drawing in DXF, as text: its LINE, ARC, "
+     "CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE are chained where their ends coincide, to 1e-5 of "
+     "the extent; x is y, y is z; arcs become chords that enclose the same area.  Any other file "
+     "is a list of points: `y z` or `y, z` on each line, an empty line between loops, `#` before "
+     "comments, the first line a name or a head if it is no point; airfoils in Selig's format are "
+     "such lists.  A case script reads regular files of at most 16 MB in its own folder and below, "
+     "through no symbolic link, unless `--trust` is given; `text` says which unit was used.",
+     &outline_schema, NULL},
     {0}};

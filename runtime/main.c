@@ -86,6 +86,8 @@ static void set_context(lua_State *L, const struct run *run)
     struct hobe_lua *context = hobe_lua_context(L);
     context->program = 1;
     context->folder = run->folder;
+    context->script = run->script;
+    context->trusted = run->trust;
     context->log = run->log;
     context->progress = isatty(STDERR_FILENO);
     hobe_lua_push_store(L, HOBE_LUA_OVERRIDES);

@@ -79,9 +79,8 @@ static enum hobe_status check_loop(const struct hobe_outline *o, int l, double s
     for (int i = o->start[l]; i < o->start[l + 1]; i++) {
         const double *a = o->point[i], *b = o->point[hobe_outline_next(o, l, i)];
         if (hypot(b[0] - a[0], b[1] - a[1]) <= SAME * size)
-            return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                             "polygon: %s has the point (%g, %g) twice in a row", name_of(l, name),
-                             a[0], a[1]);
+            return hobe_fail(err, HOBE_BAD_INPUT, NULL, "%s has the point (%g, %g) twice in a row",
+                             name_of(l, name), a[0], a[1]);
     }
     return HOBE_OK;
 }
@@ -125,7 +124,7 @@ static enum hobe_status fail_crossing(const struct hobe_outline *o, int l, int i
     const double *a = o->point[i], *b = o->point[j];
     char one[20], other[20];
     return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                     "polygon: %s crosses or touches %s, between the edges that begin at (%g, %g) "
+                     "%s crosses or touches %s, between the edges that begin at (%g, %g) "
                      "and (%g, %g)",
                      name_of(l, one), m == l ? "itself" : name_of(m, other), a[0], a[1], b[0],
                      b[1]);
@@ -172,8 +171,8 @@ static enum hobe_status check_holes(const struct hobe_outline *o, struct hobe_er
             const double *p = o->point[o->start[l]];
             if (m != l && inside(o, m, p) != (m == 0))
                 return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                                 m ? "polygon: hole %d at (%g, %g) lies in another hole"
-                                   : "polygon: hole %d at (%g, %g) lies outside the outline",
+                                 m ? "hole %d at (%g, %g) lies in another hole"
+                                   : "hole %d at (%g, %g) lies outside the outline",
                                  l, p[0], p[1]);
         }
     return HOBE_OK;
@@ -186,12 +185,11 @@ static enum hobe_status check_counts(int loops, const int *points, int *total,
     *total = 0;
     for (int l = 0; l < loops; l++) {
         if (points[l] < 3)
-            return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                             "polygon: %s needs at least 3 points, got %d", name_of(l, name),
-                             points[l]);
+            return hobe_fail(err, HOBE_BAD_INPUT, NULL, "%s needs at least 3 points, got %d",
+                             name_of(l, name), points[l]);
         if (points[l] > HOBE_MAX_OUTLINE - *total)
             return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                             "polygon: an outline with its holes may have %d points, got more",
+                             "an outline with its holes may have %d points, got more",
                              HOBE_MAX_OUTLINE);
         *total += points[l];
     }
@@ -216,15 +214,13 @@ static enum hobe_status check(struct hobe_outline *o, struct hobe_error *err)
     enum hobe_status status = HOBE_OK;
     for (int i = 0; i < o->start[o->loops]; i++)
         if (!isfinite(o->point[i][0]) || !isfinite(o->point[i][1]))
-            return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                             "polygon: points must be finite, got (%g, %g)", o->point[i][0],
-                             o->point[i][1]);
+            return hobe_fail(err, HOBE_BAD_INPUT, NULL, "points must be finite, got (%g, %g)",
+                             o->point[i][0], o->point[i][1]);
     for (int l = 0; !status && l < o->loops; l++)
         status = check_loop(o, l, size, err);
     for (int l = 0; !status && l < o->loops; l++) {
         if (fabs(loop_area(o, l)) <= SAME * size * size)
-            return hobe_fail(err, HOBE_BAD_INPUT, NULL, "polygon: %s encloses no area",
-                             name_of(l, name));
+            return hobe_fail(err, HOBE_BAD_INPUT, NULL, "%s encloses no area", name_of(l, name));
         if ((loop_area(o, l) > 0) != (l == 0))
             reverse(o, l);
     }

@@ -6,7 +6,8 @@
 #include "section_mesh.h"
 
 /* Copies loops[l] points of each loop and turns them as struct hobe_outline has it.  One sentence
- * when the outline crosses itself, has no area, has a hole outside or in another hole, ... */
+ * when the outline crosses itself, has no area, has a hole outside or in another hole, ...; the
+ * caller says whose outline it is (hobe_fail_in). */
 enum hobe_status hobe_outline_new(int loops, const int *points, const double (*point)[2],
                                   struct hobe_outline *outline, struct hobe_error *err);
 void hobe_outline_free(struct hobe_outline *outline);

@@ -356,7 +356,8 @@ hobe_section *hobe_section_polygon(int loops, const int *points, const double (*
                                    struct hobe_error *err)
 {
     if (loops < 1) {
-        hobe_fail(err, HOBE_BAD_INPUT, NULL, "a polygon needs an outline, got %d loops", loops);
+        hobe_fail(err, HOBE_BAD_INPUT, NULL, "polygon: there must be an outline, got %d loops",
+                  loops);
         return NULL;
     }
     hobe_section *section =
@@ -365,5 +366,7 @@ hobe_section *hobe_section_polygon(int loops, const int *points, const double (*
         snprintf(section->text, sizeof section->text,
                  "polygon of %d points and %d hole%s, w: solved on %d triangles", points[0],
                  loops - 1, loops == 2 ? "" : "s", hobe_section_triangles(section));
+    else
+        hobe_fail_in(err, "polygon");
     return section;
 }

@@ -7,7 +7,8 @@
 
 enum { MOST_CORNERS = 12 };
 
-/* Corners at y = width b + web w, z = height h + flange f, anticlockwise. */
+/* Corners at y = width b + web w, z = height h + flange f, anticlockwise; width and flange are
+ * those of the top where h > 0. */
 struct corner {
     double b, w, h, f;
 };
@@ -98,15 +99,43 @@ static int positive(double x)
     return x > 0 && isfinite(x);
 }
 
+/* Both flanges of an I-section, one above the other. */
+static enum hobe_status check_top(const struct hobe_profile_sizes *s, struct hobe_error *err)
+{
+    if (!positive(s->top_width) || !positive(s->top_flange))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "I: top_width and top_flange must be > 0 (m), got %g and %g", s->top_width,
+                         s->top_flange);
+    if (s->flange + s->top_flange >= s->height)
+        return hobe_fail(
+            err, HOBE_BAD_INPUT, NULL,
+            "I: both flanges together must be thinner than the height of %g, got %g and %g",
+            s->height, s->flange, s->top_flange);
+    if (s->web >= s->top_width)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "I: the web must be thinner than the top_width of %g, got %g",
+                         s->top_width, s->web);
+    return HOBE_OK;
+}
+
+static int equal_flanges(const struct hobe_profile_sizes *s)
+{
+    return s->top_width == s->width && s->top_flange == s->flange;
+}
+
 static enum hobe_status check_sizes(enum hobe_profile profile, const struct hobe_profile_sizes *s,
                                     struct hobe_error *err)
 {
     const char *name = profiles[profile].name;
-    const int flanges = profiles[profile].flanges;
+    const int flanges = equal_flanges(s) ? profiles[profile].flanges : 1;
     if (!positive(s->height) || !positive(s->width) || !positive(s->flange) || !positive(s->web))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "%s: height, width, flange and web must be > 0 (m), got %g, %g, %g and %g",
                          name, s->height, s->width, s->flange, s->web);
+    if (profile != HOBE_PROFILE_I && !equal_flanges(s))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "%s: only an I has a top_width (got %g) and a top_flange (got %g)", name,
+                         s->top_width, s->top_flange);
     if (flanges * s->flange >= s->height)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "%s: the flange must be thinner than %sthe height of %g, got %g", name,
@@ -115,30 +144,53 @@ static enum hobe_status check_sizes(enum hobe_profile profile, const struct hobe
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "%s: the web must be thinner than the width of %g, got %g", name, s->width,
                          s->web);
-    return HOBE_OK;
+    return equal_flanges(s) ? HOBE_OK : check_top(s, err);
+}
+
+static void write_text(enum hobe_profile profile, const struct hobe_profile_sizes *s,
+                       enum hobe_warping warping, char *text, size_t size)
+{
+    if (equal_flanges(s))
+        snprintf(text, size, "%s %g m high, %g m wide, flange %g m, web %g m, w: %s",
+                 profiles[profile].name, s->height, s->width, s->flange, s->web,
+                 warping_words(warping));
+    else
+        snprintf(text, size, "I %g m high, flanges %g x %g m and %g x %g m (top), web %g m, w: %s",
+                 s->height, s->width, s->flange, s->top_width, s->top_flange, s->web,
+                 warping_words(warping));
 }
 
 hobe_section *hobe_section_profile(enum hobe_profile profile,
                                    const struct hobe_profile_sizes *sizes,
                                    enum hobe_warping warping, struct hobe_error *err)
 {
+    struct hobe_profile_sizes s = *sizes;
     const int corners = profiles[profile].corners;
     double point[MOST_CORNERS][2];
-    if (check_sizes(profile, sizes, err))
+    if (s.top_width == 0)
+        s.top_width = s.width;
+    if (s.top_flange == 0)
+        s.top_flange = s.flange;
+    if (check_sizes(profile, &s, err))
         return NULL;
+    if (warping == HOBE_WARPING_PAPER && !equal_flanges(&s)) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                  "I: warping = \"paper\" (eq. 34) is for equal flanges, got %g x %g and %g x %g "
+                  "m; use \"solved\"",
+                  s.width, s.flange, s.top_width, s.top_flange);
+        return NULL;
+    }
     for (int i = 0; i < corners; i++) {
         const struct corner *c = profiles[profile].corner + i;
-        point[i][0] = c->b * sizes->width + c->w * sizes->web;
-        point[i][1] = c->h * sizes->height + c->f * sizes->flange;
+        point[i][0] = c->b * (c->h > 0 ? s.top_width : s.width) + c->w * s.web;
+        point[i][1] = c->h * s.height + c->f * (c->h > 0 ? s.top_flange : s.flange);
     }
-    const struct hobe_parts parts = parts_of_I(sizes);
-    hobe_section *section =
-        hobe_section_outline(1, &corners, (const double(*)[2])point,
-                             profile == HOBE_PROFILE_I ? &parts : NULL, warping, err);
+    const struct hobe_parts parts = parts_of_I(&s);
+    const int closed_form = profile == HOBE_PROFILE_I && equal_flanges(&s);
+    hobe_section *section = hobe_section_outline(1, &corners, (const double(*)[2])point,
+                                                 closed_form ? &parts : NULL, warping, err);
     if (section)
-        snprintf(section->text, sizeof section->text,
-                 "%s %g m high, %g m wide, flange %g m, web %g m, w: %s", profiles[profile].name,
-                 sizes->height, sizes->width, sizes->flange, sizes->web, warping_words(warping));
+        write_text(profile, &s, warping, section->text, sizeof section->text);
     return section;
 }
 

@@ -217,6 +217,40 @@ is stdout '{"report":{"a":{"value":1}}}'
 has stderr 'from a process'
 [ -e trusted.txt ] || complain "--trust does not reach files"
 
+# Outlines come from the folder of the case, wherever the run is started.
+mkdir -p cases/below
+printf '0 0\n3 0\n0 4\n' >cases/below/corner.csv
+printf '0 0\n3 0\n0 5\n' >elsewhere/corner.csv
+ln -sfn ../elsewhere cases/tunnel
+ln -sf ../../elsewhere/corner.csv cases/below/link.csv
+mkfifo cases/pipe
+truncate -s 17M cases/large.csv
+cat >cases/outline.lua <<'END'
+local hobe = require "hobe"
+hobe.report{ A = hobe.outline{ file = hobe.param("file", "below/corner.csv") }.A }
+END
+run 0 run cases/outline.lua --format csv
+has stdout '^A,6,$'
+for file in tunnel/corner.csv below/link.csv pipe; do
+    run 1 run cases/outline.lua file=$file
+    has stderr "^hobe: cases/outline.lua:2: outline: cases/$file could not be read: .*; a case script \
+reads regular files in its own folder and below, through no symbolic link"
+done
+for file in ../elsewhere/corner.csv "$scratch/elsewhere/corner.csv" below/../below/corner.csv; do
+    run 1 run cases/outline.lua "file=$file"
+    has stderr '^hobe: cases/outline.lua:2: outline: a case script reads files in its own folder'
+done
+run 1 run cases/outline.lua file=large.csv
+has stderr 'large.csv: a file of an outline may have at most 16 MB$'
+for file in ../elsewhere/corner.csv "$scratch/elsewhere/corner.csv" tunnel/corner.csv; do
+    run 0 run cases/outline.lua "file=$file" --trust --format csv
+    has stdout '^A,7\.5,$'
+done
+run 1 run cases/outline.lua file=absent.csv --trust
+has stderr 'outline: cases/absent.csv could not be read: No such file or directory$'
+run 1 run cases/outline.lua file=below --trust
+has stderr 'outline: below could not be read: Is a directory$'
+
 # ---- the rest of the command line ---------------------------------------------------------------
 
 run 0 run beam.lua --log
@@ -275,6 +309,7 @@ for i, row in ipairs(M) do
 end
 assert(math.abs(total - 12) < 1e-9, total)
 assert(k:energy(q) == 0 and #k:force(q) == 39 and #k:tangent(q)[39] == 39)
+assert(math.abs(hobe.outline{ file = "elsewhere/corner.csv" }.A - 7.5) < 1e-12)
 END
 if [ "$loadable" = yes ] && command -v lua5.4 >/dev/null; then
     LD_PRELOAD=$asan LUA_CPATH="$module/?.so" lua5.4 stock.lua >stdout 2>stderr ||

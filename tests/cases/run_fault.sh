@@ -9,6 +9,7 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
 
+printf '0 0\n3 0\n0 4\n' >corner.csv
 cat >case.lua <<'LUA'
 local hobe = require "hobe"
 local section = hobe.rectangle{ width = 0.02, height = 0.05 }
@@ -26,7 +27,8 @@ local r = hobe.static(scene)
 local m = hobe.modal(scene, { modes = 2 })
 local element = hobe.kernel{ element = "BE24", section = section, material = material, length = 1 }
 hobe.report{ u = r:displacement("b", 1)[3], U = element:energy(element:reference()),
-             f = m:frequencies()[2], v = m:shape(1, "b", 1)[3] }
+             f = m:frequencies()[2], v = m:shape(1, "b", 1)[3],
+             A = hobe.outline{ file = "corner.csv" }.A }
 LUA
 
 n=1

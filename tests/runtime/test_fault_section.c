@@ -6,12 +6,16 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { KINDS = 4 };
+enum { KINDS = 5 };
 
 static hobe_section *make(int kind, struct hobe_error *err)
 {
     static const double corner[6][2] = {{0, 0}, {3, 0}, {3, 2}, {1, .5}, {2, .5}, {2, 1}};
-    static const struct hobe_profile_sizes sizes = {.2, .1, .02, .02};
+    static const struct hobe_profile_sizes sizes = {
+        .height = .2, .width = .1, .flange = .02, .web = .02};
+    static const char list[] = "0 0\n3 0\n0 4\n";
+    static const struct hobe_outline_file file = {
+        .name = "list", .text = list, .size = sizeof list - 1};
     switch (kind) {
     case 0:
         return hobe_section_tube(2, 1, err);
@@ -19,6 +23,8 @@ static hobe_section *make(int kind, struct hobe_error *err)
         return hobe_section_profile(HOBE_PROFILE_I, &sizes, HOBE_WARPING_PAPER, err);
     case 2:
         return hobe_section_polygon(2, (const int[]){3, 3}, corner, err);
+    case 3:
+        return hobe_section_file(&file, err);
     default:
         return hobe_section_hollow(2, 1, .2, HOBE_WARPING_SOLVED, err);
     }

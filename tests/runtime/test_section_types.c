@@ -119,6 +119,47 @@ static void shear_centres(void)
     check_relative(L.J, (s.height + s.width - t) * pow(t, 3) / 3, .02, "J of an angle");
 }
 
+/* An I whose flanges differ: middle lines h apart, flanges of I1 (top) and I2 about z. */
+static void one_axis_of_symmetry(void)
+{
+    const struct hobe_profile_sizes s = {.height = .204,
+                                         .width = .1,
+                                         .flange = .004,
+                                         .web = .003,
+                                         .top_width = .06,
+                                         .top_flange = .005};
+    const double h = s.height - (s.flange + s.top_flange) / 2;
+    const double I1 = s.top_flange * pow(s.top_width, 3) / 12, I2 = s.flange * pow(s.width, 3) / 12;
+    const double web = s.height - s.flange - s.top_flange;
+    const double A[3] = {s.top_width * s.top_flange, s.width * s.flange, s.web * web};
+    const double z[3] = {(s.height - s.top_flange) / 2, (s.flange - s.height) / 2,
+                         (s.flange - s.top_flange) / 2};
+    const struct hobe_section_properties p = take(profile(HOBE_PROFILE_I, &s, HOBE_WARPING_SOLVED));
+    check_relative(p.A, A[0] + A[1] + A[2], 1e-12, "area");
+    check_relative(p.zc, (A[0] * z[0] + A[1] * z[1] + A[2] * z[2]) / (A[0] + A[1] + A[2]), 1e-11,
+                   "centroid from the middle of the height");
+    check_relative(p.Izz, I1 + I2 + web * pow(s.web, 3) / 12, 1e-11, "Izz");
+    check_absolute(p.ys, 0, 1e-6 * h, "the shear centre lies on the axis of symmetry");
+    /* thin-wall theory: to the walls' thickness, 1/50 of the height and more of the flanges */
+    check_absolute(p.zc + p.zs, z[1] + h * I1 / (I1 + I2), s.web / 4, "shear centre");
+    check_relative(p.Iw, h * h * I1 * I2 / (I1 + I2), .01, "Iw");
+    check_relative(
+        p.J,
+        (s.top_width * pow(s.top_flange, 3) + s.width * pow(s.flange, 3) + web * pow(s.web, 3)) / 3,
+        .02, "J");
+}
+
+/* Equal sizes at the top are those of the plain section. */
+static void equal_flanges(void)
+{
+    struct hobe_profile_sizes s = PAPER_I;
+    const struct hobe_section_properties p = take(profile(HOBE_PROFILE_I, &s, HOBE_WARPING_PAPER));
+    s.top_width = s.width;
+    s.top_flange = s.flange;
+    const struct hobe_section_properties q = take(profile(HOBE_PROFILE_I, &s, HOBE_WARPING_PAPER));
+    check_that(memcmp(&p, &q, sizeof p) == 0, "flanges that are equal by name change nothing");
+}
+
 static void round_sections(void)
 {
     struct hobe_error err;
@@ -370,6 +411,33 @@ static void bad_sizes(void)
     refused(hobe_section_profile(HOBE_PROFILE_I, &s, HOBE_WARPING_SOLVED, &err), &err, "-1");
 }
 
+static void bad_tops(void)
+{
+    static const struct {
+        enum hobe_profile profile;
+        enum hobe_warping warping;
+        double top_width, top_flange, web;
+        const char *words;
+    } bad[] = {
+        {HOBE_PROFILE_I, HOBE_WARPING_PAPER, .05, 0, .01, "equal flanges"},
+        {HOBE_PROFILE_I, HOBE_WARPING_SOLVED, 0, .2, .01,
+         "thinner than the height of 0.215, got "
+         "0.015 and 0.2"},
+        {HOBE_PROFILE_I, HOBE_WARPING_SOLVED, .01, 0, .02, "top_width of 0.01, got 0.02"},
+        {HOBE_PROFILE_I, HOBE_WARPING_SOLVED, -.1, 0, .01, "got -0.1 and 0.015"},
+        {HOBE_PROFILE_I, HOBE_WARPING_SOLVED, 0, NAN, .01, "nan"},
+        {HOBE_PROFILE_T, HOBE_WARPING_SOLVED, .05, 0, .01, "only an I"},
+    };
+    struct hobe_error err;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct hobe_profile_sizes s = PAPER_I;
+        s.top_width = bad[i].top_width;
+        s.top_flange = bad[i].top_flange;
+        s.web = bad[i].web;
+        refused(hobe_section_profile(bad[i].profile, &s, bad[i].warping, &err), &err, bad[i].words);
+    }
+}
+
 /* Eq. 36 vanishes on a square box, whose solved w does not. */
 static void paper_on_a_square_box(void)
 {
@@ -417,6 +485,8 @@ int main(void)
     solved_rectangles();
     thin_walls();
     shear_centres();
+    one_axis_of_symmetry();
+    equal_flanges();
     round_sections();
     outlines_move();
     function_anywhere();
@@ -427,6 +497,7 @@ int main(void)
     axis_on_the_I();
     bad_outlines();
     bad_sizes();
+    bad_tops();
     paper_on_a_square_box();
     paper_integration();
     return check_report();
