@@ -1,24 +1,20 @@
--- Natural frequencies of a square cantilever: beam (b) of Fig. 7 and Table 8 of Tang, Tian & Hu
--- 2022, L 2 m, section 100 x 100 mm, E 1 GPa, nu 0.3, rho 7850 kg/m^3; MGD30w.
+-- Natural frequencies of a square cantilever: beam (b) of Fig. 7 of Tang, Tian & Hu 2022, L 2 m,
+-- section 100 x 100 mm, E 1 GPa, nu 0.3, rho 7850 kg/m^3; MGD30w.  Which mass shakes with which
+-- mode, and the shapes in bending as a plot; table8.lua has the paper's own numbers.
 --
--- Three numbers side by side: "paper", the first bending frequency in the paper's settings (3 x 3 x
--- 3 Gauss points, one term of eq. 33, Poisson's coupling on the axis) by an independent prototype;
--- "solid", a converged model of quadratic bricks with a clamped face, the last digit uncertain;
--- and this run.  One element in the paper's settings differs by 3e-4: the mass matrix here is
--- integrated exactly always; with three points on the axis it is lighter.
+-- "solid": a converged model of quadratic bricks with a clamped face, the last digit uncertain.
 local hobe = require "hobe"
 
 local n = hobe.param("n", 20)
 local L, a = 2, 0.1
 
-local function modes(elements, mechanics, integration)
+local function modes(elements)
   local scene = hobe.scene{
     hobe.beam{
       name = "bar", element = "MGD30w", elements = elements,
       section = hobe.rectangle{ width = a, height = a },
       material = { E = 1e9, nu = 0.3, rho = 7850 },
       from = {0, 0, 0}, to = {L, 0, 0},
-      mechanics = mechanics, integration = integration,
     },
     hobe.clamp{ "bar", at = 0 },
   }
@@ -41,20 +37,13 @@ local function first(m, which)
 end
 
 local rows = {}
-local paper = {}
-for _, row in ipairs{ {1, 9.088}, {10, 9.041}, {50, 9.041} } do
-  local m = modes(row[1], "axis", "paper")
-  paper[row[1]] = m:frequency(first(m, "bending"))
-  rows[#rows + 1] = { "bending, paper's settings", row[1], paper[row[1]], row[2] }
-end
-
-local m = modes(n, "average", "exact")
+local m = modes(n)
 local bending, torsion = first(m, "bending"), first(m, "torsion")
-rows[#rows + 1] = { "bending", n, m:frequency(bending), nil, 9.060 }
-rows[#rows + 1] = { "torsion", n, m:frequency(torsion), nil, 159.78 }
+rows[#rows + 1] = { "bending", n, m:frequency(bending), 9.060 }
+rows[#rows + 1] = { "torsion", n, m:frequency(torsion), 159.78 }
 hobe.table{
   title = "First frequencies of the square beam, rad/s",
-  columns = { "", "elements", "this run", "paper", "solid" },
+  columns = { "", "elements", "this run", "solid" },
   rows = rows,
 }
 
@@ -89,9 +78,6 @@ hobe.plot{
 }
 
 hobe.report{
-  paper_1  = { paper[1],  "rad/s", expect = 9.088, within = 3e-4 },
-  paper_10 = { paper[10], "rad/s", expect = 9.041, within = 6e-5 },
-  paper_50 = { paper[50], "rad/s", expect = 9.041, within = 6e-5 },
   bending  = { m:frequency(bending), "rad/s", expect = 9.060,  within = 5e-3 },
   torsion  = { m:frequency(torsion), "rad/s", expect = 159.78, within = 5e-3 },
 }
