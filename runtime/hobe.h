@@ -161,8 +161,8 @@ struct hobe_material {
     double nu;     /* Poisson's ratio, -1 < nu < 1/2 */
     double rho;    /* density, kg/m^3, >= 0 (0 where no mass is needed) */
     double k2, k3; /* shear correction factors on xz and xy (eq. 20), > 0; 1 where none is wanted */
-    int average_shear; /* 0: they act at every point, and correct torsion too; 1: on the shear strain
-                          averaged over the section, which torsion has none of */
+    int average_shear; /* 0: they act at every point, and correct torsion too; 1: on the shear
+                          strain averaged over the section, which torsion has none of */
 };
 
 enum hobe_mechanics {
@@ -177,6 +177,36 @@ enum hobe_integration {
     HOBE_INTEGRATION_EXACT, /* full quadrature of the exact warping function */
     HOBE_INTEGRATION_PAPER  /* 3 x 3 x 3 Gauss points and one term of eq. 33 */
 };
+
+/* ---- composite sections (section_outline.c) ---------------------------------------------------
+ */
+
+enum { HOBE_MAX_REGIONS = 32 }; /* parts of a composite section */
+
+/* One part of a composite section. */
+struct hobe_section_part {
+    const hobe_section *section; /* not a composite one; its outline is copied */
+    double at[2];                /* y, z of its origin, m: that of an outline's coordinates, the
+                                    centroid of rectangles, circles and tubes */
+    struct hobe_material material;
+};
+
+/* Parts of different materials, part[parts], which touch along edges in one piece and do not
+ * overlap.  Circles and tubes become polygons of their area.  The section brings its materials, one
+ * for each region, in the order of the parts.
+ *
+ * Its centroid is that of EA, its functions those of the composite: div G grad w = 0, and
+ * div G grad psi_y = -E y, orthogonal in int E ..dA.  Of its properties A is geometric; those of
+ * bending, Iw and Wagner are weighted with E/E_1, J and J_w with G/G_1, where part 1 is the
+ * reference, so that EI is E_1 Iyy and GJ is G_1 J; in ky, kz and kyz G A is the sum over the
+ * parts. The parts' shear factors k2, k3 do not enter. */
+hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *part,
+                                     struct hobe_error *err);
+
+/* Regions of a section, >= 1, and the material of one, owned by the section; NULL where it has none
+ * of its own, and the beam's is used. */
+int hobe_section_regions(const hobe_section *section);
+const struct hobe_material *hobe_section_material(const hobe_section *section, int region);
 
 /* ---- elements (element.c) ------------------------------------------------------------------- */
 

@@ -252,6 +252,22 @@ enum hobe_status hobe_outline_new(int loops, const int *points, const double (*p
     return status;
 }
 
+enum hobe_status hobe_outline_copy(const struct hobe_outline *from, struct hobe_outline *to,
+                                   struct hobe_error *err)
+{
+    const size_t loops = (size_t)from->loops, points = (size_t)from->start[loops];
+    to->loops = from->loops;
+    to->start = hobe_alloc(loops + 1, sizeof *to->start, err);
+    to->point = hobe_alloc(points, sizeof *to->point, err);
+    if (!to->start || !to->point) {
+        hobe_outline_free(to);
+        return HOBE_NO_MEMORY;
+    }
+    memcpy(to->start, from->start, (loops + 1) * sizeof *to->start);
+    memcpy(to->point, from->point, points * sizeof *to->point);
+    return HOBE_OK;
+}
+
 void hobe_outline_free(struct hobe_outline *outline)
 {
     hobe_free(outline->start);

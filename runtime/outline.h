@@ -10,6 +10,8 @@
  * caller says whose outline it is (hobe_fail_in). */
 enum hobe_status hobe_outline_new(int loops, const int *points, const double (*point)[2],
                                   struct hobe_outline *outline, struct hobe_error *err);
+enum hobe_status hobe_outline_copy(const struct hobe_outline *from, struct hobe_outline *to,
+                                   struct hobe_error *err);
 void hobe_outline_free(struct hobe_outline *outline);
 
 /* Area and centroid of the material. */

@@ -127,25 +127,28 @@ static void matrix_compress(struct matrix *m, int n)
     m->start[n] = to;
 }
 
-/* K_ij = int grad N_i . grad N_j dA and the right sides b[HOBE_SECTION_FUNCTIONS][nodes]:
- * int (y N_i,z - z N_i,y) dA, which is the boundary condition's integral along the outline since
- * (-z, y) has no divergence; int y N_i dA; int z N_i dA.  Node 0 is held at 0. */
-static void assemble(const struct hobe_mesh *mesh, struct matrix *K, double *b)
+/* K_ij = int G grad N_i . grad N_j dA and the right sides b[HOBE_SECTION_FUNCTIONS][nodes]:
+ * int G (y N_i,z - z N_i,y) dA, which is the boundary condition's integral along the outline of
+ * each region since (-z, y) has no divergence; int E y N_i dA; int E z N_i dA.  Node 0 is held at
+ * 0. */
+static void assemble(const hobe_section *section, const struct hobe_mesh *mesh, struct matrix *K,
+                     double *b)
 {
     const int nodes = mesh->nodes;
     for (int t = 0; t < mesh->triangles; t++) {
-        const int *n = mesh->triangle[t];
+        const int *n = mesh->triangle[t], region = mesh->region[t];
+        const double E = hobe_section_E(section, region), G = hobe_section_G(section, region);
         double k[NODES][NODES] = {{0}}, L[3], N[NODES], dN[NODES][2], p[2];
         for (int g = 0; g < POINTS; g++) {
             const double weight = area(mesh, t) * cubature(g, L);
             shape(mesh, t, L, N, dN);
             place(mesh, t, L, p);
             for (int i = 0; i < NODES; i++) {
-                b[HOBE_W * nodes + n[i]] += weight * (p[0] * dN[i][1] - p[1] * dN[i][0]);
-                b[HOBE_WY * nodes + n[i]] += weight * p[0] * N[i];
-                b[HOBE_WZ * nodes + n[i]] += weight * p[1] * N[i];
+                b[HOBE_W * nodes + n[i]] += weight * G * (p[0] * dN[i][1] - p[1] * dN[i][0]);
+                b[HOBE_WY * nodes + n[i]] += weight * E * p[0] * N[i];
+                b[HOBE_WZ * nodes + n[i]] += weight * E * p[1] * N[i];
                 for (int j = 0; j < NODES; j++)
-                    k[i][j] += weight * (dN[i][0] * dN[j][0] + dN[i][1] * dN[j][1]);
+                    k[i][j] += weight * G * (dN[i][0] * dN[j][0] + dN[i][1] * dN[j][1]);
             }
         }
         for (int i = 0; i < NODES; i++)
@@ -177,15 +180,15 @@ static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_er
     return status;
 }
 
-enum hobe_status hobe_saint_venant(const struct hobe_mesh *mesh, double *values, double *energy,
-                                   struct hobe_error *err)
+enum hobe_status hobe_saint_venant(const hobe_section *section, const struct hobe_mesh *mesh,
+                                   double *values, double *energy, struct hobe_error *err)
 {
     const size_t n = (size_t)mesh->nodes, all = HOBE_SECTION_FUNCTIONS * n;
     struct matrix K;
     double *b = hobe_alloc(all, sizeof *b, err);
     enum hobe_status status = matrix_new(mesh, &K, err);
     if (!status && b) {
-        assemble(mesh, &K, b);
+        assemble(section, mesh, &K, b);
         matrix_compress(&K, mesh->nodes);
         memcpy(values, b, all * sizeof *b);
         status = solve(mesh->nodes, &K, values, err);
@@ -279,6 +282,7 @@ enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *valu
         place(mesh, t, L, p);
         at->y = p[0];
         at->z = p[1];
+        at->region = mesh->region[t];
         evaluate(mesh, t, values, L, at->f);
     }
     return HOBE_OK;

@@ -4,6 +4,7 @@
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
+#include <math.h>
 #include <string.h>
 
 enum hobe_status hobe_gauss(int n, double (*gauss)[2], struct hobe_error *err)
@@ -165,21 +166,45 @@ enum hobe_status hobe_section_probes_at(const hobe_section *section,
     return HOBE_OK;
 }
 
+int hobe_section_regions(const hobe_section *section)
+{
+    return section->material ? section->regions : 1;
+}
+
+const struct hobe_material *hobe_section_material(const hobe_section *section, int region)
+{
+    return section->material ? section->material + region : NULL;
+}
+
+double hobe_section_E(const hobe_section *section, int region)
+{
+    const struct hobe_material *m = section->material;
+    return m ? m[region].E / m[0].E : 1;
+}
+
+double hobe_section_G(const hobe_section *section, int region)
+{
+    const struct hobe_material *m = section->material;
+    return m ? m[region].E / m[0].E * (1 + m[0].nu) / (1 + m[region].nu) : 1;
+}
+
 /* Fields of shear on the section: a unit twist, unit shears, gradients of the functions. */
 enum { TWIST, SHEAR_Y, SHEAR_Z, GRADIENT, FIELDS = GRADIENT + HOBE_SECTION_FUNCTIONS };
 
-/* S_ij = int g_i . g_j dA of the fields g. */
-static void shear_energy(const struct hobe_rule *rule, double S[FIELDS][FIELDS])
+/* S_ij = int G/G_1 g_i . g_j dA of the fields g. */
+static void shear_energy(const hobe_section *section, const struct hobe_rule *rule,
+                         double S[FIELDS][FIELDS])
 {
     memset(S, 0, sizeof(double[FIELDS][FIELDS]));
     for (int p = 0; p < rule->rule.points; p++) {
         const struct hobe_section_point *at = rule->point + p;
+        const double weight = at->weight * hobe_section_G(section, at->region);
         double g[FIELDS][2] = {[TWIST] = {-at->z, at->y}, [SHEAR_Y] = {1, 0}, [SHEAR_Z] = {0, 1}};
         for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
             memcpy(g[GRADIENT + f], at->f[f] + 1, sizeof g[GRADIENT + f]);
         for (int i = 0; i < FIELDS; i++)
             for (int j = 0; j < FIELDS; j++)
-                S[i][j] += at->weight * (g[i][0] * g[j][0] + g[i][1] * g[j][1]);
+                S[i][j] += weight * (g[i][0] * g[j][0] + g[i][1] * g[j][1]);
     }
 }
 
@@ -200,25 +225,28 @@ void hobe_section_set_warping(hobe_section *section, const struct hobe_rule *rul
 {
     struct hobe_section_properties *p = &section->properties;
     double S[FIELDS][FIELDS];
-    shear_energy(rule, S);
+    shear_energy(section, rule, S);
     release(S, GRADIENT + HOBE_W);
     release(S, SHEAR_Y);
     release(S, SHEAR_Z);
     p->J_w = S[TWIST][TWIST];
     p->Iw = 0;
-    for (int i = 0; i < rule->rule.points; i++)
-        p->Iw += rule->point[i].weight * rule->point[i].f[HOBE_W][0] * rule->point[i].f[HOBE_W][0];
+    for (int i = 0; i < rule->rule.points; i++) {
+        const struct hobe_section_point *at = rule->point + i;
+        p->Iw += hobe_section_E(section, at->region) * at->weight * pow(at->f[HOBE_W][0], 2);
+    }
 }
 
 void hobe_section_set_shear(hobe_section *section, const struct hobe_rule *rule)
 {
     struct hobe_section_properties *p = &section->properties;
     double S[FIELDS][FIELDS];
-    shear_energy(rule, S);
+    shear_energy(section, rule, S);
+    const double GA = S[SHEAR_Y][SHEAR_Y]; /* over G_1 */
     for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
         release(S, GRADIENT + f);
-    const double yy = S[SHEAR_Y][SHEAR_Y] / p->A, zz = S[SHEAR_Z][SHEAR_Z] / p->A;
-    const double yz = S[SHEAR_Y][SHEAR_Z] / p->A, determinant = yy * zz - yz * yz;
+    const double yy = S[SHEAR_Y][SHEAR_Y] / GA, zz = S[SHEAR_Z][SHEAR_Z] / GA;
+    const double yz = S[SHEAR_Y][SHEAR_Z] / GA, determinant = yy * zz - yz * yz;
     p->ky = determinant / zz;
     p->kz = determinant / yy;
     p->kyz = -yz / determinant;

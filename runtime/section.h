@@ -5,6 +5,8 @@
 
 #include "hobe.h"
 
+struct hobe_outline; /* section_mesh.h */
+
 /* The functions of a section, in the order in which its kind keeps them: w of torsion, wy and wz of
  * bending shear along y and z. */
 enum { HOBE_W, HOBE_WY, HOBE_WZ, HOBE_SECTION_FUNCTIONS };
@@ -75,6 +77,9 @@ struct hobe_section_kind {
     /* The functions and their gradients at (y, z), f[HOBE_SECTION_FUNCTIONS][4]; `paper`: those
      * that go with the paper's integration.  What the section has not is left alone. */
     void (*functions)(const hobe_section *section, int paper, double y, double z, double (*f)[4]);
+    /* The outline about the section's own origin; circles become polygons of their area. */
+    enum hobe_status (*outline)(const hobe_section *section, struct hobe_outline *outline,
+                                struct hobe_error *err);
     void (*close)(hobe_section *section); /* frees what the kind added; may be NULL */
     const struct hobe_section_sizes
         *sizes; /* of a kind that can taper (section_taper.h), or NULL */
@@ -95,17 +100,24 @@ struct hobe_section_kind {
 struct hobe_section {
     const struct hobe_section_kind *kind;
     struct hobe_section_properties properties;
+    struct hobe_material *material; /* [regions] of its own; NULL: the beam's */
+    int regions;                    /* where it has materials */
     int probes;
     double probe[HOBE_PROBES][2]; /* places where the material's volume is watched, y, z, m */
     char text[160];
 };
 
+/* E and G of a region over those of the first; 1 where the section has no materials of its own. */
+double hobe_section_E(const hobe_section *section, int region);
+double hobe_section_G(const hobe_section *section, int region);
+
 /* Sets Iw and J_w by the w of a rule: the least energy of a unit twist, (-z, y) as a field of
  * shear, when the amplitude of w and a constant shear are free, as they are in an element. */
 void hobe_section_set_warping(hobe_section *section, const struct hobe_rule *rule);
 
-/* Sets ky, kz and kyz by the functions of a rule: A k is the least energy of unit shears when the
- * amplitudes of the functions are free.  Functions that vanish do not matter. */
+/* Sets ky, kz and kyz by the functions of a rule: k is the least energy of unit shears when the
+ * amplitudes of the functions are free, over that when they are held.  Functions that vanish do not
+ * matter. */
 void hobe_section_set_shear(hobe_section *section, const struct hobe_rule *rule);
 
 /* Whether the kernel has functions of bending shear. */

@@ -17,6 +17,7 @@ enum { QUADRATIC_TRIANGLE = 9, NODES = 6 }; /* gmsh's number of the element type
  * like log r.  With these numbers J is within 1e-5 on rectangles and 1e-4 on I-sections. */
 static const double PLAIN = 0.8;          /* of the wall's thickness */
 static const double MOST_SLENDER = 10000; /* perimeter over thickness: some 20 000 triangles */
+static const double SAME = 1e-7;          /* of the section's extent: closer points are one */
 static const double STRAIGHT = 0.4; /* sine of the turn below which a vertex belongs to a curve */
 static const struct {
     double size;   /* at the corner, of the section's mean thickness */
@@ -26,11 +27,12 @@ static const struct {
 /* Away from a part of a section triangles may grow by this much of the distance. */
 static const double OUTSIDE = 0.5;
 
-/* What sizes the triangles of one outline. */
+/* One outline and what sizes its triangles. */
 struct sizing {
     const struct hobe_outline *outline;
     double thickness; /* 2 A/perimeter: of a thin wall its thickness, of a square half its side */
     signed char *corner; /* [points] 1 convex, -1 re-entrant, 0 where the outline runs on */
+    int group;           /* the first part it hangs together with */
 };
 
 struct job {
@@ -153,6 +155,41 @@ static enum hobe_status set_sizing(const struct hobe_outline *o, struct sizing *
                          "edges; at most 1 : %g is possible",
                          s->thickness, perimeter, MOST_SLENDER);
     return HOBE_OK;
+}
+
+/* The angle of material around p: 2 pi within the outline, that between the edges at a point of it,
+ * pi on an edge, 0 outside. */
+static double angle_around(const struct hobe_outline *o, const double p[2], double near)
+{
+    for (int l = 0; l < o->loops; l++)
+        for (int i = o->start[l]; i < o->start[l + 1]; i++) {
+            const int j = hobe_outline_next(o, l, i), k = hobe_outline_next(o, l, j);
+            const double *a = o->point[i], *b = o->point[j], *c = o->point[k];
+            const double e[2] = {b[0] - a[0], b[1] - a[1]}, f[2] = {c[0] - b[0], c[1] - b[1]};
+            const double ap[2] = {p[0] - a[0], p[1] - a[1]}, length = hypot(e[0], e[1]);
+            const double along = (ap[0] * e[0] + ap[1] * e[1]) / length;
+            if (hypot(p[0] - b[0], p[1] - b[1]) < near)
+                return M_PI - atan2(cross(e, f), e[0] * f[0] + e[1] * f[1]);
+            if (fabs(cross(e, ap)) < near * length && along > near && along < length - near)
+                return M_PI;
+        }
+    return hobe_outline_holds(o, p) ? 2 * M_PI : 0;
+}
+
+/* Corners of parts are re-entrant ones of the section where the parts around them fill more than a
+ * half plane; within the section, too, since w is singular where materials meet at a corner. */
+static void join_corners(struct job *job)
+{
+    for (int k = 0; k < job->parts; k++) {
+        const struct hobe_outline *o = job->part[k].outline;
+        for (int i = 0; i < o->start[o->loops]; i++) {
+            double angle = 0;
+            for (int m = 0; m < job->parts && job->part[k].corner[i]; m++)
+                angle += angle_around(job->part[m].outline, o->point[i], SAME * job->unit);
+            if (angle > M_PI + STRAIGHT)
+                job->part[k].corner[i] = -1;
+        }
+    }
 }
 
 /* ---- gmsh ----------------------------------------------------------------------------------- */
@@ -376,6 +413,42 @@ static enum hobe_status set_regions(const struct job *job, struct hobe_mesh *mes
     return HOBE_OK;
 }
 
+/* Parts whose triangles share the middle of a side hang together. */
+static void join_groups(struct job *job, const struct hobe_mesh *mesh, int *region)
+{
+    for (int n = 0; n < mesh->nodes; n++)
+        region[n] = -1;
+    for (int k = 0; k < job->parts; k++)
+        job->part[k].group = k;
+    for (int t = 0; t < mesh->triangles; t++)
+        for (int i = 3; i < NODES; i++) {
+            int *other = region + mesh->triangle[t][i];
+            const int here = job->part[mesh->region[t]].group;
+            const int there = *other < 0 ? here : job->part[*other].group;
+            for (int k = 0; k < job->parts && here != there; k++)
+                if (job->part[k].group == here || job->part[k].group == there)
+                    job->part[k].group = here < there ? here : there;
+            *other = mesh->region[t];
+        }
+}
+
+static enum hobe_status check_joined(struct job *job, const struct hobe_mesh *mesh,
+                                     struct hobe_error *err)
+{
+    int *region = hobe_alloc((size_t)mesh->nodes, sizeof *region, err);
+    if (!region)
+        return HOBE_NO_MEMORY;
+    join_groups(job, mesh, region);
+    hobe_free(region);
+    for (int k = 0; k < job->parts; k++)
+        if (job->part[k].group)
+            return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                             "part %d is apart from part 1; the parts of a section must hang "
+                             "together by edges along which they touch",
+                             k + 1);
+    return HOBE_OK;
+}
+
 static enum hobe_status run(struct job *job, struct hobe_mesh *mesh, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_OK;
@@ -396,7 +469,9 @@ static enum hobe_status run(struct job *job, struct hobe_mesh *mesh, struct hobe
         status = take(&raw, job->unit, mesh, err);
     free_raw(&raw);
     gmsh.gmshFinalize(&ignored);
-    return status ? status : set_regions(job, mesh, err);
+    if (!status)
+        status = set_regions(job, mesh, err);
+    return status ? status : check_joined(job, mesh, err);
 }
 
 static enum hobe_status set_job(int parts, const struct hobe_outline *outline, struct job *job,
@@ -420,6 +495,8 @@ static enum hobe_status set_job(int parts, const struct hobe_outline *outline, s
         job->points += o->start[o->loops];
     }
     job->unit = fmax(high[0] - low[0], high[1] - low[1]);
+    if (parts > 1)
+        join_corners(job);
     job->tags = hobe_alloc((size_t)job->points, sizeof *job->tags, err);
     return job->tags ? HOBE_OK : HOBE_NO_MEMORY;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "section_outline.h"
 
+#include "material.h"
 #include "outline.h"
 #include "saint_venant.h"
 
@@ -10,9 +11,12 @@
 
 enum { PAPER_POINTS = 3, MOST_GAUSS = 64 };
 
+/* Iw over I_p^2/A below which there is no w: w of 1e-10 of the section's size, in the square. */
+static const double NO_WARPING = 1e-20;
+
 struct shape {
     struct hobe_section base;
-    struct hobe_outline outline; /* about its centroid */
+    struct hobe_outline *outline; /* [base.regions], about the centroid */
     struct hobe_mesh mesh;
     double *values; /* of the functions, [HOBE_SECTION_FUNCTIONS][mesh.nodes] */
     struct hobe_rule functions_rule;
@@ -30,19 +34,10 @@ static enum hobe_status gauss_points(int n, double (*gauss)[2], struct hobe_erro
     return hobe_gauss(n, gauss, err);
 }
 
-/* For polynomials of degree 2 n - 2: the triangles from the centroid to each edge, counted negative
- * where the edge runs back, with n x n points each.  Some points lie outside the material, which
- * polynomials do not mind; the mesh would need a hundred times as many. */
-static enum hobe_status fan_rule(const struct hobe_outline *o, int n, struct hobe_rule *rule,
-                                 struct hobe_error *err)
+/* The points of one outline's edges; returns the place behind them. */
+static struct hobe_section_point *add_fans(const struct hobe_outline *o, int region, int n,
+                                           const double (*gauss)[2], struct hobe_section_point *p)
 {
-    double gauss[MOST_GAUSS][2];
-    enum hobe_status status = gauss_points(n, gauss, err);
-    if (!status)
-        status = hobe_rule_new(rule, (size_t)(n * n * o->start[o->loops]), err);
-    if (status)
-        return status;
-    struct hobe_section_point *p = rule->point;
     for (int l = 0; l < o->loops; l++)
         for (int i = o->start[l]; i < o->start[l + 1]; i++) {
             const double *a = o->point[i], *b = o->point[hobe_outline_next(o, l, i)];
@@ -52,9 +47,30 @@ static enum hobe_status fan_rule(const struct hobe_outline *o, int n, struct hob
                 p->y = s[0] * (a[0] + t[0] * (b[0] - a[0]));
                 p->z = s[0] * (a[1] + t[0] * (b[1] - a[1]));
                 p->weight = twice * s[0] * s[1] * t[1];
+                p->region = region;
             }
         }
-    return HOBE_OK;
+    return p;
+}
+
+/* For polynomials of degree 2 n - 2: the triangles from the centroid to each edge, counted negative
+ * where the edge runs back, with n x n points each.  Some points lie outside the material, which
+ * polynomials do not mind; the mesh would need a hundred times as many. */
+static enum hobe_status fan_rule(const struct shape *shape, int n, struct hobe_rule *rule,
+                                 struct hobe_error *err)
+{
+    double gauss[MOST_GAUSS][2];
+    int edges = 0;
+    *rule = (struct hobe_rule){0};
+    for (int r = 0; r < shape->base.regions; r++)
+        edges += shape->outline[r].start[shape->outline[r].loops];
+    enum hobe_status status = gauss_points(n, gauss, err);
+    if (!status)
+        status = hobe_rule_new(rule, (size_t)(n * n * edges), err);
+    struct hobe_section_point *p = rule->point;
+    for (int r = 0; !status && r < shape->base.regions; r++)
+        p = add_fans(shape->outline + r, r, n, (const double(*)[2])gauss, p);
+    return status;
 }
 
 static void branch(const struct hobe_part *part, double y, double z, double *f)
@@ -104,7 +120,7 @@ static enum hobe_status rule(const hobe_section *section, const struct hobe_kern
         return parts_rule(&s->parts, 2 * degree + 1, rule, err);
     if (kernel->functions)
         return hobe_rule_copy(&s->functions_rule, rule, err);
-    return fan_rule(&s->outline, 2 * degree + 1, rule, err);
+    return fan_rule(s, 2 * degree + 1, rule, err);
 }
 
 /* ---- the functions -------------------------------------------------------------------------- */
@@ -135,61 +151,103 @@ static void functions(const hobe_section *section, int paper, double y, double z
 static void close_shape(hobe_section *section)
 {
     struct shape *s = (struct shape *)section;
-    hobe_outline_free(&s->outline);
+    for (int r = 0; r < s->base.regions; r++)
+        hobe_outline_free(s->outline + r);
+    hobe_free(s->outline);
+    hobe_free(s->base.material);
     hobe_mesh_free(&s->mesh);
     hobe_free(s->values);
     hobe_rule_free(&s->functions_rule);
 }
 
+/* Composite sections are no parts of others: region 0 is the outline. */
+static enum hobe_status copy_outline(const hobe_section *section, struct hobe_outline *outline,
+                                     struct hobe_error *err)
+{
+    const struct shape *s = (const struct shape *)section;
+    const enum hobe_status status = hobe_outline_copy(s->outline, outline, err);
+    if (!status)
+        hobe_outline_move(outline, section->properties.yc, section->properties.zc);
+    return status;
+}
+
 static const struct hobe_section_kind shape_kind = {
-    .rule = rule, .functions = functions, .close = close_shape};
+    .rule = rule, .functions = functions, .outline = copy_outline, .close = close_shape};
 
 /* ---- properties ----------------------------------------------------------------------------- */
 
-/* Moments of area, about the centroid. */
+/* Area, and the outlines about their centroid, weighted with E. */
+static void set_area(struct shape *s)
+{
+    struct hobe_section_properties *p = &s->base.properties;
+    double EA = 0, ES[2] = {0, 0};
+    for (int r = 0; r < s->base.regions; r++) {
+        double centroid[2];
+        const double A = hobe_outline_area(s->outline + r, centroid),
+                     E = hobe_section_E(&s->base, r);
+        p->A += A;
+        EA += E * A;
+        for (int a = 0; a < 2; a++)
+            ES[a] += E * A * centroid[a];
+    }
+    p->yc = ES[0] / EA;
+    p->zc = ES[1] / EA;
+    for (int r = 0; r < s->base.regions; r++)
+        hobe_outline_move(s->outline + r, -p->yc, -p->zc);
+}
+
+/* Moments of area, about the centroid; J is still the polar one. */
 static void set_moments(struct shape *s, const struct hobe_rule *fan)
 {
     struct hobe_section_properties *p = &s->base.properties;
-    const struct hobe_outline *o = &s->outline;
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int i = 0; i < fan->rule.points; i++) {
         const struct hobe_section_point *at = fan->point + i;
-        p->Iyy += at->weight * at->z * at->z;
-        p->Izz += at->weight * at->y * at->y;
-        p->Iyz += at->weight * at->y * at->z;
+        const double E = at->weight * hobe_section_E(&s->base, at->region);
+        const double G = at->weight * hobe_section_G(&s->base, at->region);
+        p->Iyy += E * at->z * at->z;
+        p->Izz += E * at->y * at->y;
+        p->Iyz += E * at->y * at->z;
+        p->J += G * (at->y * at->y + at->z * at->z);
     }
-    for (int i = 0; i < o->start[1]; i++)
-        for (int a = 0; a < 2; a++) {
-            low[a] = fmin(low[a], o->point[i][a]);
-            high[a] = fmax(high[a], o->point[i][a]);
-        }
-    p->width = high[0] - low[0];
-    p->height = high[1] - low[1];
 }
 
-static void set_probes(struct shape *s)
+/* Extent, and probes among the points of the outlines. */
+static void set_extent(struct shape *s)
 {
-    const int points = s->outline.start[1];
-    s->base.probes = points < HOBE_PROBES ? points : HOBE_PROBES;
-    for (int i = 0; i < s->base.probes; i++)
-        memcpy(s->base.probe[i], s->outline.point[i * points / s->base.probes], sizeof(double[2]));
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    int points = 0, seen = 0;
+    for (int r = 0; r < s->base.regions; r++)
+        points += s->outline[r].start[1];
+    for (int r = 0; r < s->base.regions; r++)
+        for (int i = 0; i < s->outline[r].start[1]; i++, seen++) {
+            const double *at = s->outline[r].point[i];
+            for (int a = 0; a < 2; a++) {
+                low[a] = fmin(low[a], at[a]);
+                high[a] = fmax(high[a], at[a]);
+            }
+            if (seen * HOBE_PROBES >= s->base.probes * points && s->base.probes < HOBE_PROBES)
+                memcpy(s->base.probe[s->base.probes++], at, sizeof(double[2]));
+        }
+    s->base.properties.width = high[0] - low[0];
+    s->base.properties.height = high[1] - low[1];
 }
 
 /* The functions behind what they are made orthogonal to. */
 enum { ONE, Y, Z, FUNCTION, BASIS = FUNCTION + HOBE_SECTION_FUNCTIONS };
 
-/* G_ij = int g_i g_j dA. */
-static void gram(const struct hobe_rule *rule, double G[BASIS][BASIS])
+/* G_ij = int E g_i g_j dA. */
+static void gram(const struct shape *s, double G[BASIS][BASIS])
 {
     memset(G, 0, sizeof(double[BASIS][BASIS]));
-    for (int p = 0; p < rule->rule.points; p++) {
-        const struct hobe_section_point *at = rule->point + p;
+    for (int p = 0; p < s->functions_rule.rule.points; p++) {
+        const struct hobe_section_point *at = s->functions_rule.point + p;
+        const double weight = at->weight * hobe_section_E(&s->base, at->region);
         double g[BASIS] = {[ONE] = 1, [Y] = at->y, [Z] = at->z};
         for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
             g[FUNCTION + f] = at->f[f][0];
         for (int i = 0; i < BASIS; i++)
             for (int j = 0; j < BASIS; j++)
-                G[i][j] += at->weight * g[i] * g[j];
+                G[i][j] += weight * g[i] * g[j];
     }
 }
 
@@ -202,9 +260,11 @@ static double product(double G[BASIS][BASIS], const double *a, const double *b)
     return sum;
 }
 
-/* Gram and Schmidt: sum_j T_ij g_j is g_i made orthogonal to those before it. */
+/* Gram and Schmidt: sum_j T_ij g_j is g_i made orthogonal to those before it.  What rounding leaves
+ * of a section that does not warp is no function: T_ij = 0. */
 static void orthogonalise(double G[BASIS][BASIS], double T[BASIS][BASIS])
 {
+    const double none = NO_WARPING * pow(G[Y][Y] + G[Z][Z], 2) / G[ONE][ONE];
     double square[BASIS];
     for (int i = 0; i < BASIS; i++) {
         for (int j = 0; j < BASIS; j++)
@@ -215,6 +275,10 @@ static void orthogonalise(double G[BASIS][BASIS], double T[BASIS][BASIS])
                 T[i][j] -= part * T[k][j];
         }
         square[i] = product(G, T[i], T[i]);
+        if (i == FUNCTION + HOBE_W && square[i] < none) {
+            memset(T[i], 0, sizeof T[i]);
+            square[i] = 0;
+        }
     }
 }
 
@@ -224,7 +288,7 @@ static void set_functions(struct shape *s)
 {
     struct hobe_section_properties *p = &s->base.properties;
     double G[BASIS][BASIS], T[BASIS][BASIS];
-    gram(&s->functions_rule, G);
+    gram(s, G);
     orthogonalise(G, T);
     p->zs = T[FUNCTION + HOBE_W][Y];
     p->ys = -T[FUNCTION + HOBE_W][Z];
@@ -244,14 +308,16 @@ static void set_functions(struct shape *s)
 static void set_wagner(struct shape *s, const struct hobe_rule *fan)
 {
     struct hobe_section_properties *p = &s->base.properties;
-    double r2 = 0, r4 = 0;
+    double EA = 0, r2 = 0, r4 = 0;
     for (int i = 0; i < fan->rule.points; i++) {
         const struct hobe_section_point *at = fan->point + i;
+        const double E = at->weight * hobe_section_E(&s->base, at->region);
         const double r = hypot(at->y - p->ys, at->z - p->zs);
-        r2 += at->weight * r * r;
-        r4 += at->weight * r * r * r * r;
+        EA += E;
+        r2 += E * r * r;
+        r4 += E * r * r * r * r;
     }
-    p->Wagner = r4 - r2 * r2 / p->A;
+    p->Wagner = r4 - r2 * r2 / EA;
 }
 
 /* On the paper's parts w is theirs.  They have two axes of symmetry, where any such w is orthogonal
@@ -280,18 +346,18 @@ static enum hobe_status solve(struct shape *s, struct hobe_error *err)
 {
     struct hobe_section_properties *p = &s->base.properties;
     double energy;
-    enum hobe_status status = hobe_mesh_outlines(1, &s->outline, &s->mesh, err);
+    enum hobe_status status = hobe_mesh_outlines(s->base.regions, s->outline, &s->mesh, err);
     if (status)
         return status;
     s->values = hobe_alloc(HOBE_SECTION_FUNCTIONS * (size_t)s->mesh.nodes, sizeof *s->values, err);
     if (!s->values)
         return HOBE_NO_MEMORY;
-    status = hobe_saint_venant(&s->mesh, s->values, &energy, err);
+    status = hobe_saint_venant(&s->base, &s->mesh, s->values, &energy, err);
     if (!status)
         status = hobe_mesh_rule(&s->mesh, s->values, &s->functions_rule, err);
     if (status)
         return status;
-    p->J = p->Iyy + p->Izz - energy;
+    p->J -= energy;
     set_functions(s);
     hobe_rule_free(&s->functions_rule);
     status = hobe_mesh_rule(&s->mesh, s->values, &s->functions_rule, err);
@@ -304,15 +370,10 @@ static enum hobe_status solve(struct shape *s, struct hobe_error *err)
 /* For r^4: 3 x 3 points an edge. */
 static enum hobe_status set_properties(struct shape *s, struct hobe_error *err)
 {
-    struct hobe_section_properties *p = &s->base.properties;
     struct hobe_rule fan;
-    double centroid[2];
-    p->A = hobe_outline_area(&s->outline, centroid);
-    p->yc = centroid[0];
-    p->zc = centroid[1];
-    hobe_outline_move(&s->outline, -centroid[0], -centroid[1]);
-    set_probes(s);
-    enum hobe_status status = fan_rule(&s->outline, 3, &fan, err);
+    set_area(s);
+    set_extent(s);
+    enum hobe_status status = fan_rule(s, 3, &fan, err);
     if (status)
         return status;
     set_moments(s, &fan);
@@ -321,6 +382,22 @@ static enum hobe_status set_properties(struct shape *s, struct hobe_error *err)
         set_wagner(s, &fan);
     hobe_rule_free(&fan);
     return status;
+}
+
+/* A section of that many outlines, all empty still, which hobe_section_free frees. */
+static struct shape *new_shape(int regions, struct hobe_error *err)
+{
+    struct shape *s = hobe_alloc(1, sizeof *s, err);
+    if (!s)
+        return NULL;
+    s->base.kind = &shape_kind;
+    s->outline = hobe_alloc((size_t)regions, sizeof *s->outline, err);
+    if (s->outline) {
+        s->base.regions = regions;
+        return s;
+    }
+    hobe_section_free(&s->base);
+    return NULL;
 }
 
 hobe_section *hobe_section_outline(int loops, const int *points, const double (*point)[2],
@@ -333,17 +410,77 @@ hobe_section *hobe_section_outline(int loops, const int *points, const double (*
                   warping == HOBE_WARPING_SERIES ? "series" : "paper");
         return NULL;
     }
-    struct shape *s = hobe_alloc(1, sizeof *s, err);
+    struct shape *s = new_shape(1, err);
     if (!s)
         return NULL;
-    s->base.kind = &shape_kind;
     s->paper = warping == HOBE_WARPING_PAPER;
     if (parts)
         s->parts = *parts;
-    if (hobe_outline_new(loops, points, point, &s->outline, err) || set_properties(s, err)) {
+    if (hobe_outline_new(loops, points, point, s->outline, err) || set_properties(s, err)) {
         hobe_section_free(&s->base);
         return NULL;
     }
+    return &s->base;
+}
+
+/* ---- composite sections --------------------------------------------------------------------- */
+
+/* Part k with its material and its outline moved to its place. */
+static enum hobe_status add_part(struct shape *s, int k, const struct hobe_section_part *part,
+                                 struct hobe_error *err)
+{
+    if (part->section->material)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "it is a composite section itself; give its parts instead");
+    if (!part->section->kind->outline)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "its section varies along the beam, which a part's must not");
+    if (!isfinite(part->at[0]) || !isfinite(part->at[1]))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL, "at must be finite (m), got (%g, %g)",
+                         part->at[0], part->at[1]);
+    s->base.material[k] = part->material;
+    enum hobe_status status = hobe_material_check(&part->material, err);
+    if (!status)
+        status = part->section->kind->outline(part->section, s->outline + k, err);
+    if (!status)
+        hobe_outline_move(s->outline + k, part->at[0], part->at[1]);
+    return status;
+}
+
+static enum hobe_status add_parts(struct shape *s, const struct hobe_section_part *part,
+                                  struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    s->base.material = hobe_alloc((size_t)s->base.regions, sizeof *s->base.material, err);
+    if (!s->base.material)
+        return HOBE_NO_MEMORY;
+    for (int k = 0; !status && k < s->base.regions; k++) {
+        char name[20];
+        snprintf(name, sizeof name, "part %d", k + 1);
+        status = add_part(s, k, part + k, err);
+        if (status)
+            hobe_fail_in(err, name);
+    }
+    return status;
+}
+
+hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *part,
+                                     struct hobe_error *err)
+{
+    if (parts < 1 || parts > HOBE_MAX_REGIONS) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL, "a composite section has 1 to %d parts, got %d",
+                  HOBE_MAX_REGIONS, parts);
+        return NULL;
+    }
+    struct shape *s = new_shape(parts, err);
+    if (!s)
+        return NULL;
+    if (add_parts(s, part, err) || set_properties(s, err)) {
+        hobe_section_free(&s->base);
+        return NULL;
+    }
+    snprintf(s->base.text, sizeof s->base.text, "composite of %d part%s, w: solved on %d triangles",
+             parts, parts == 1 ? "" : "s", s->mesh.triangles);
     return &s->base;
 }
 

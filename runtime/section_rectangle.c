@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rectangles, the series of their Saint-Venant warping function, and the cubics of their bending
  * shear. */
+#include "outline.h"
 #include "section_taper.h"
 
 #include <math.h>
@@ -197,6 +198,24 @@ static enum hobe_status rule(const hobe_section *section, const struct hobe_kern
     return status;
 }
 
+/* Anticlockwise from (-, -). */
+static void set_corners(double width, double height, double corner[4][2])
+{
+    for (int i = 0; i < 4; i++) {
+        corner[i][0] = (i == 1 || i == 2 ? 0.5 : -0.5) * width;
+        corner[i][1] = (i > 1 ? 0.5 : -0.5) * height;
+    }
+}
+
+static enum hobe_status outline(const hobe_section *section, struct hobe_outline *outline,
+                                struct hobe_error *err)
+{
+    const struct rectangle *r = (const struct rectangle *)section;
+    double corner[4][2];
+    set_corners(r->width, r->height, corner);
+    return hobe_outline_new(1, (const int[]){4}, (const double(*)[2])corner, outline, err);
+}
+
 static void close_rectangle(hobe_section *section)
 {
     hobe_rule_free(&((struct rectangle *)section)->functions_rule);
@@ -225,8 +244,11 @@ static hobe_section *make_like(const hobe_section *like, const double *sizes, in
 }
 
 static const struct hobe_section_sizes rectangle_sizes = {count_sizes, read_sizes, make_like};
-static const struct hobe_section_kind rectangle_kind = {
-    .rule = rule, .functions = functions_at, .close = close_rectangle, .sizes = &rectangle_sizes};
+static const struct hobe_section_kind rectangle_kind = {.rule = rule,
+                                                        .functions = functions_at,
+                                                        .outline = outline,
+                                                        .close = close_rectangle,
+                                                        .sizes = &rectangle_sizes};
 
 /* int r^4 dA - I_p^2/A */
 static double wagner(double W, double H)
@@ -291,9 +313,9 @@ hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warp
                                      struct hobe_error *err)
 {
     if (warping == HOBE_WARPING_SOLVED) {
-        const double y = width / 2, z = height / 2;
-        const double corner[4][2] = {{-y, -z}, {y, -z}, {y, z}, {-y, z}};
-        return hobe_section_polygon(1, (const int[]){4}, corner, err);
+        double corner[4][2];
+        set_corners(width, height, corner);
+        return hobe_section_polygon(1, (const int[]){4}, (const double(*)[2])corner, err);
     }
     return make(width, height, warping, 0, err);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Circles and round tubes: w vanishes, wy and wz are known, and cubature in polar coordinates is
  * exact. */
+#include "outline.h"
 #include "section_taper.h"
 
 #include <math.h>
@@ -9,7 +10,8 @@
 
 enum {
     MAX_RADII = 64,
-    CUBIC = 3 /* degree of wy and wz */
+    CUBIC = 3,   /* degree of wy and wz */
+    CHORDS = 96, /* of a circle in a composite section */
 };
 
 struct ring {
@@ -137,8 +139,24 @@ static hobe_section *make_like(const hobe_section *like, const double *sizes, in
 }
 
 static const struct hobe_section_sizes ring_sizes = {count_sizes, read_sizes, make_like};
+/* Polygons of the circles' areas: their polar moments are larger by 1e-7. */
+static enum hobe_status outline(const hobe_section *section, struct hobe_outline *outline,
+                                struct hobe_error *err)
+{
+    const struct ring *ring = (const struct ring *)section;
+    const double step = 2 * M_PI / CHORDS, longer = sqrt(step / sin(step));
+    double point[2 * CHORDS][2];
+    for (int i = 0; i < 2 * CHORDS; i++) {
+        const double r = longer * (i < CHORDS ? ring->outer : ring->inner), angle = step * i;
+        point[i][0] = r * cos(angle);
+        point[i][1] = r * sin(angle);
+    }
+    return hobe_outline_new(ring->inner > 0 ? 2 : 1, (const int[]){CHORDS, CHORDS},
+                            (const double(*)[2])point, outline, err);
+}
+
 static const struct hobe_section_kind ring_kind = {
-    .rule = rule, .functions = functions, .sizes = &ring_sizes};
+    .rule = rule, .functions = functions, .outline = outline, .sizes = &ring_sizes};
 
 static hobe_section *ring(double outer, double inner, struct hobe_error *err)
 {
