@@ -3,6 +3,7 @@
 
 #include "outline.h"
 #include "saint_venant.h"
+#include "section_cache.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,7 +18,8 @@ struct shape {
     double *values; /* of the functions, [HOBE_SECTION_FUNCTIONS][mesh.nodes] */
     struct hobe_rule functions_rule;
     struct hobe_parts parts;
-    int paper; /* w is the parts' */
+    int paper;                  /* w is the parts' */
+    const hobe_section *shared; /* all that is pointed to belongs to this section; or NULL */
 };
 
 /* ---- cubature ------------------------------------------------------------------------------- */
@@ -135,6 +137,10 @@ static void functions(const hobe_section *section, int paper, double y, double z
 static void close_shape(hobe_section *section)
 {
     struct shape *s = (struct shape *)section;
+    if (s->shared) {
+        hobe_section_drop(s->shared);
+        return;
+    }
     hobe_outline_free(&s->outline);
     hobe_mesh_free(&s->mesh);
     hobe_free(s->values);
@@ -302,9 +308,10 @@ static enum hobe_status solve(struct shape *s, struct hobe_error *err)
 }
 
 /* For r^4: 3 x 3 points an edge. */
-static enum hobe_status set_properties(struct shape *s, struct hobe_error *err)
+static enum hobe_status set_properties(hobe_section *section, struct hobe_error *err)
 {
-    struct hobe_section_properties *p = &s->base.properties;
+    struct shape *s = (struct shape *)section;
+    struct hobe_section_properties *p = &section->properties;
     struct hobe_rule fan;
     double centroid[2];
     p->A = hobe_outline_area(&s->outline, centroid);
@@ -321,6 +328,47 @@ static enum hobe_status set_properties(struct shape *s, struct hobe_error *err)
         set_wagner(s, &fan);
     hobe_rule_free(&fan);
     return status;
+}
+
+/* All that decides about the solution of s, whose outline is as it was given: count numbers. */
+static double *content_of(const struct shape *s, size_t *count, struct hobe_error *err)
+{
+    const struct hobe_outline *o = &s->outline;
+    const size_t loops = (size_t)o->loops, points = (size_t)o->start[loops];
+    const size_t parts = (size_t)s->parts.count * sizeof *s->parts.part / sizeof(double);
+    *count = 3 + loops + 2 * points + parts;
+    double *content = hobe_alloc(*count, sizeof *content, err), *at = content;
+    if (!content)
+        return NULL;
+    *at++ = s->paper;
+    *at++ = s->parts.count;
+    for (size_t l = 0; l <= loops; l++)
+        *at++ = o->start[l];
+    memcpy(at, o->point, 2 * points * sizeof *at);
+    memcpy(at + 2 * points, s->parts.part, parts * sizeof *at);
+    return content;
+}
+
+/* A section with a text of its own that shares all else with those of the same content.  s has its
+ * outline and is solved here if need be. */
+static hobe_section *share(struct shape *s, struct hobe_error *err)
+{
+    size_t count;
+    struct shape *handle = hobe_alloc(1, sizeof *handle, err);
+    double *content = handle ? content_of(s, &count, err) : NULL;
+    if (content)
+        handle->shared = hobe_section_share(&s->base, content, count, set_properties, err);
+    else
+        hobe_section_free(&s->base);
+    hobe_free(content);
+    if (!content || !handle->shared) {
+        hobe_free(handle);
+        return NULL;
+    }
+    const hobe_section *shared = handle->shared;
+    *handle = *(const struct shape *)shared;
+    handle->shared = shared;
+    return &handle->base;
 }
 
 hobe_section *hobe_section_outline(int loops, const int *points, const double (*point)[2],
@@ -340,11 +388,11 @@ hobe_section *hobe_section_outline(int loops, const int *points, const double (*
     s->paper = warping == HOBE_WARPING_PAPER;
     if (parts)
         s->parts = *parts;
-    if (hobe_outline_new(loops, points, point, &s->outline, err) || set_properties(s, err)) {
+    if (hobe_outline_new(loops, points, point, &s->outline, err)) {
         hobe_section_free(&s->base);
         return NULL;
     }
-    return &s->base;
+    return share(s, err);
 }
 
 int hobe_section_triangles(const hobe_section *section)
