@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "error.h"
 
+#include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +12,7 @@ static const char *const status_words[] = {HOBE_ERROR_LIST(HOBE_ERROR_WORDS)};
 
 enum { ALIGNMENT = 64 };
 
-static long allocations, fail_at;
+static atomic_long allocations, fail_at;
 
 const char *hobe_status_words(enum hobe_status status)
 {
@@ -43,11 +44,10 @@ void hobe_fail_in(struct hobe_error *err, const char *what)
 
 void *hobe_alloc(size_t count, size_t size, struct hobe_error *err)
 {
-    allocations++;
+    const long n = ++allocations;
     void *p = NULL;
     size_t bytes = ALIGNMENT;
-    if ((size == 0 || count <= (SIZE_MAX - ALIGNMENT) / size) &&
-        !(fail_at && allocations == fail_at)) {
+    if ((size == 0 || count <= (SIZE_MAX - ALIGNMENT) / size) && !(fail_at && n == fail_at)) {
         bytes = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
         p = aligned_alloc(ALIGNMENT, bytes ? bytes : ALIGNMENT);
     }

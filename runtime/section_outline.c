@@ -4,12 +4,17 @@
 #include "material.h"
 #include "outline.h"
 #include "saint_venant.h"
+#include "section_cache.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { PAPER_POINTS = 3, MOST_GAUSS = 64 };
+enum {
+    PAPER_POINTS = 3,
+    MOST_GAUSS = 64,
+    MATERIAL = 6 /* numbers of a material */
+};
 
 /* Iw over I_p^2/A below which there is no w: w of 1e-10 of the section's size, in the square. */
 static const double NO_WARPING = 1e-20;
@@ -21,7 +26,8 @@ struct shape {
     double *values; /* of the functions, [HOBE_SECTION_FUNCTIONS][mesh.nodes] */
     struct hobe_rule functions_rule;
     struct hobe_parts parts;
-    int paper; /* w is the parts' */
+    int paper;                  /* w is the parts' */
+    const hobe_section *shared; /* all that is pointed to belongs to this section; or NULL */
 };
 
 /* ---- cubature ------------------------------------------------------------------------------- */
@@ -151,6 +157,10 @@ static void functions(const hobe_section *section, int paper, double y, double z
 static void close_shape(hobe_section *section)
 {
     struct shape *s = (struct shape *)section;
+    if (s->shared) {
+        hobe_section_drop(s->shared);
+        return;
+    }
     for (int r = 0; r < s->base.regions; r++)
         hobe_outline_free(s->outline + r);
     hobe_free(s->outline);
@@ -368,8 +378,9 @@ static enum hobe_status solve(struct shape *s, struct hobe_error *err)
 }
 
 /* For r^4: 3 x 3 points an edge. */
-static enum hobe_status set_properties(struct shape *s, struct hobe_error *err)
+static enum hobe_status set_properties(hobe_section *section, struct hobe_error *err)
 {
+    struct shape *s = (struct shape *)section;
     struct hobe_rule fan;
     set_area(s);
     set_extent(s);
@@ -400,6 +411,68 @@ static struct shape *new_shape(int regions, struct hobe_error *err)
     return NULL;
 }
 
+/* How many numbers add_content writes for an outline. */
+static size_t outline_content(const struct hobe_outline *o)
+{
+    return 2 + (size_t)o->loops + 2 * (size_t)o->start[o->loops];
+}
+
+/* All that decides about the solution of s, whose outlines are as they were given: count numbers.
+ */
+static double *content_of(const struct shape *s, size_t *count, struct hobe_error *err)
+{
+    const size_t parts = (size_t)s->parts.count * sizeof *s->parts.part / sizeof(double);
+    *count = 3 + parts;
+    for (int r = 0; r < s->base.regions; r++)
+        *count += outline_content(s->outline + r) + (s->base.material ? MATERIAL : 0);
+    double *content = hobe_alloc(*count, sizeof *content, err), *at = content;
+    if (!content)
+        return NULL;
+    *at++ = s->paper;
+    *at++ = s->base.regions;
+    *at++ = s->parts.count;
+    memcpy(at, s->parts.part, parts * sizeof *at);
+    at += parts;
+    for (int r = 0; r < s->base.regions; r++) {
+        const struct hobe_outline *o = s->outline + r;
+        const struct hobe_material *m = s->base.material ? s->base.material + r : NULL;
+        const size_t points = (size_t)o->start[o->loops];
+        *at++ = o->loops;
+        for (int l = 0; l <= o->loops; l++)
+            *at++ = o->start[l];
+        memcpy(at, o->point, 2 * points * sizeof *at);
+        at += 2 * points;
+        if (m) {
+            const double law[MATERIAL] = {m->E, m->nu, m->rho, m->k2, m->k3, m->average_shear};
+            memcpy(at, law, sizeof law);
+            at += MATERIAL;
+        }
+    }
+    return content;
+}
+
+/* A section with a text of its own that shares all else with those of the same content.  s has its
+ * outline and is solved here if need be. */
+static hobe_section *share(struct shape *s, struct hobe_error *err)
+{
+    size_t count;
+    struct shape *handle = hobe_alloc(1, sizeof *handle, err);
+    double *content = handle ? content_of(s, &count, err) : NULL;
+    if (content)
+        handle->shared = hobe_section_share(&s->base, content, count, set_properties, err);
+    else
+        hobe_section_free(&s->base);
+    hobe_free(content);
+    if (!content || !handle->shared) {
+        hobe_free(handle);
+        return NULL;
+    }
+    const hobe_section *shared = handle->shared;
+    *handle = *(const struct shape *)shared;
+    handle->shared = shared;
+    return &handle->base;
+}
+
 hobe_section *hobe_section_outline(int loops, const int *points, const double (*point)[2],
                                    const struct hobe_parts *parts, enum hobe_warping warping,
                                    struct hobe_error *err)
@@ -416,11 +489,11 @@ hobe_section *hobe_section_outline(int loops, const int *points, const double (*
     s->paper = warping == HOBE_WARPING_PAPER;
     if (parts)
         s->parts = *parts;
-    if (hobe_outline_new(loops, points, point, s->outline, err) || set_properties(s, err)) {
+    if (hobe_outline_new(loops, points, point, s->outline, err)) {
         hobe_section_free(&s->base);
         return NULL;
     }
-    return &s->base;
+    return share(s, err);
 }
 
 /* ---- composite sections --------------------------------------------------------------------- */
@@ -475,13 +548,16 @@ hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *
     struct shape *s = new_shape(parts, err);
     if (!s)
         return NULL;
-    if (add_parts(s, part, err) || set_properties(s, err)) {
+    if (add_parts(s, part, err)) {
         hobe_section_free(&s->base);
         return NULL;
     }
-    snprintf(s->base.text, sizeof s->base.text, "composite of %d part%s, w: solved on %d triangles",
-             parts, parts == 1 ? "" : "s", s->mesh.triangles);
-    return &s->base;
+    hobe_section *section = share(s, err);
+    if (section)
+        snprintf(section->text, sizeof section->text,
+                 "composite of %d part%s, w: solved on %d triangles", parts, parts == 1 ? "" : "s",
+                 hobe_section_triangles(section));
+    return section;
 }
 
 int hobe_section_triangles(const hobe_section *section)
