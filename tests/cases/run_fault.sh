@@ -18,7 +18,7 @@ local scene = hobe.scene{
   hobe.beam{ name = "a", elements = 2, section = section, material = material,
              from = {0, 0, 0}, to = {1, 0, 0} },
   hobe.beam{ name = "b", element = "3333", elements = 1, section = section, material = material,
-             from = {1, 0, 0}, to = {1, 1, 0} },
+             curve = function(t) return {1 + t * t, t, 0} end, twist = function(at) return at end },
   hobe.clamp{ "a", at = 0 }, hobe.join{ "a", "b", at = {1, 0} }, hobe.gravity{ 0, 0, -9.81 },
   hobe.force{ "b", at = 1, value = {0, 0, 10}, follower = true },
   hobe.moment{ "b", at = 1, value = {1, 0, 0} },
