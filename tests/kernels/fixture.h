@@ -11,7 +11,7 @@
 struct fixture {
     const struct hobe_kernel *kernel;
     struct pw_beam beam; /* the same element for the evaluator; beam.element only where known */
-    int known, dofs;
+    int known, structural, dofs;
     double density;
     real *size; /* [dofs] of a nodal vector that turns or stretches the section by about 1 */
     struct hobe_section_point *point, axis;
@@ -37,6 +37,10 @@ void fixture_close(struct fixture *fx);
  * Arrays to be freed by free_invariants. */
 void make_invariants(const struct fixture *fx, int stations, int blocks,
                      struct hobe_invariants *inv);
+
+/* Those of a reference q0[dofs] that is curved or tapered. */
+void make_curved_invariants(const struct fixture *fx, const double *q0,
+                            struct hobe_invariants *inv);
 void free_invariants(struct hobe_invariants *inv);
 
 /* The section functions of the tests: polynomials of degree three in y and in z. */
