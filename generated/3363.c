@@ -174,6 +174,17 @@ static double gradient_rows(const double (*phi)[4], const double D0[S][3], doubl
     return det;
 }
 
+/* The gradient's rows at a point; returns det J0, 1 where D0 is NULL (straight and prismatic). */
+static double point_rows(const struct hobe_section_point *at, const double (*D0)[3],
+                         double phi[M][4], double g[3][S])
+{
+    section_modes(at->y, at->z, at->f, phi);
+    if (D0)
+        return gradient_rows((const double(*)[4])phi, D0, g);
+    parameter_rows((const double(*)[4])phi, g);
+    return 1.0;
+}
+
 /* Blocks of one station; Qc is NULL where normal and shear strains do not mix. */
 struct blocks {
     double *Qn, *Qs, *Qc;
@@ -245,17 +256,6 @@ static void mirror(double *Q, int n)
     for (int r = 0; r < n; r++)
         for (int c = 0; c < r; c++)
             Q[c * n + r] = Q[r * n + c];
-}
-
-/* The gradient's rows at a point; returns det J0, 1 where D0 is NULL (straight and prismatic). */
-static double point_rows(const struct hobe_section_point *at, const double (*D0)[3],
-                         double phi[M][4], double g[3][S])
-{
-    section_modes(at->y, at->z, at->f, phi);
-    if (D0)
-        return gradient_rows((const double(*)[4])phi, D0, g);
-    parameter_rows((const double(*)[4])phi, g);
-    return 1.0;
 }
 
 /* The strain of the mean law, means over `normal` and `shear`. */

@@ -307,7 +307,7 @@ static void section_law(const struct blocks *to, const struct hobe_station *stat
 {
     const double arc = D0 ? __builtin_sqrt(product(D0[0], D0[0])) : 1.0;
     const double ys = station->shear_centre[0], zs = station->shear_centre[1];
-    double area = 0.0, shear[3] = {0}, phi[M][4];
+    double area = 0.0, shear[3] = {0}, phi[M][4], g[3][S];
     clear(to->Qn, NN * NN);
     clear(to->Qs, NS * NS);
     clear(moment[0], M * M);
@@ -321,10 +321,10 @@ static void section_law(const struct blocks *to, const struct hobe_station *stat
         to->Qs[0] += arc * weight * C->normal[1][1];
         to->Qs[NS + 1] += arc * weight * C->normal[2][2];
         area += weight;
-        section_modes(at->y, at->z, at->f, phi);
+        const double mass = weight * point_rows(at, D0, phi, g) * law->density[at->region];
         for (int k = 0; k < M; k++)
             for (int l = 0; l < M; l++)
-                moment[k][l] += arc * weight * law->density[at->region] * phi[k][0] * phi[l][0];
+                moment[k][l] += mass * phi[k][0] * phi[l][0];
     }
     const double xy[NN] = {0.0, 1.0, 0.0, -zs, 0.0, 0.0}, xz[NN] = {0.0, 0.0, 1.0, ys, 0.0, 0.0};
     const double twist[NN] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0};

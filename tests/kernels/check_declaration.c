@@ -41,8 +41,12 @@ void check_declaration(const struct fixture *fx)
     const char *law = k->mechanics;
     CHECK(k->abi == HOBE_KERNEL_ABI, k->name);
     CHECK(k->hash && *k->hash && k->source && *k->source, k->name);
-    CHECK(!strcmp(law, "average") || !strcmp(law, "axis") || !strcmp(law, "full"), k->name);
-    CHECK(k->normals == M * M && k->shears == M * (M - 1), k->name);
+    CHECK(!strcmp(law, "average") || !strcmp(law, "axis") || !strcmp(law, "full") || fx->structural,
+          k->name);
+    CHECK(k->normals == (fx->structural ? 6 : M * M), k->name);
+    CHECK(k->shears == (fx->structural ? 3 : M * (M - 1)), k->name);
+    CHECK((k->axis_rule != NULL) == fx->structural, k->name);
+    CHECK((k->trilinear == NULL) == fx->structural, k->name);
     CHECK(k->flops_force > 0 && k->flops_tangent > k->flops_force, k->name);
     CHECK(!strcmp(k->mode[0], "1"), k->name);
     CHECK(k->functions == 0 || !strcmp(k->function[0], "w"), k->name);

@@ -37,10 +37,6 @@ void fixture_close(struct fixture *fx);
  * Arrays to be freed by free_invariants. */
 void make_invariants(const struct fixture *fx, int stations, int blocks,
                      struct hobe_invariants *inv);
-
-/* Those of a reference q0[dofs] that is curved or tapered. */
-void make_curved_invariants(const struct fixture *fx, const double *q0,
-                            struct hobe_invariants *inv);
 void free_invariants(struct hobe_invariants *inv);
 
 /* The section functions of the tests: polynomials of degree three in y and in z. */

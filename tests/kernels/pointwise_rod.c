@@ -117,7 +117,8 @@ static void fields(const struct pw_beam *beam, const number *q, const real *N, c
             add_vector(&beam->element.vector[v], i, q[3 * v + i], N, Nx, v, D);
 }
 
-/* Strains since the reference: beam->reference, per length of its arc, which is returned; or straight. */
+/* Strains since the reference: beam->reference, per length of its arc, which is returned; or
+ * straight. */
 static real rest(const struct pw_beam *beam, const real *N, const real *Nx, number *s)
 {
     static const real straight[STRAINS] = {1, 0, 0, 0, 0, 0, 0.5L, 0.5L, 0};
