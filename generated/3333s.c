@@ -396,8 +396,8 @@ static void frame(const hobe_real *a, const hobe_real *b, hobe_real *e, hobe_rea
     vector_product(e + 6, e, e + 3);
 }
 
-/* t = the change of the unit vector n of a vector size * n that changes by d: proportional to
- * d however small that is */
+/* t = the change of the unit vector n of a vector size * n that changes by d, with all its
+ * digits however small d is */
 static void unit_change(const hobe_real *n, hobe_real size, const hobe_real *d, hobe_real *t)
 {
     hobe_real v[3];
@@ -436,9 +436,9 @@ static void rod_stresses(const hobe_real *t, hobe_real *P)
     P[8] = zero;
 }
 
-/* n = changes of the rod's strains, formed without cancellation, and the frame e after the
- * change.  A product changes by (change of one) (mean of the other) + the reverse: of e_i by t,
- * of D by U; B is the mean of D. */
+/* n = changes of the rod's strains, without cancellation, and the frame e after them.  A
+ * product changes by (change of one) (mean of the other) + the reverse: e_i changes by
+ * t, D by U, and B is the mean of D. */
 static void rod_differences(const hobe_real *B, const hobe_real *U, hobe_real *e, hobe_real *n)
 {
     hobe_real v[6], size[2], p[3], d[3], t[9], Y[9];
@@ -503,8 +503,8 @@ static void add_moment(const hobe_real *P, const hobe_real *Y, hobe_real *m)
     }
 }
 
-/* The forces on a and b that turn the frame: a x P_a + b x P_b = m, Y_a = (0, alpha, gamma),
- * Y_b = (0, 0, beta) */
+/* The forces on a and b that turn the frame: a x P_a + b x P_b = m, on Y_a = (0, alpha,
+ * gamma) and Y_b = (0, 0, beta) */
 static void balance(const hobe_real *Y, const hobe_real *m, hobe_real *P)
 {
     P[9] = zero - m[2] / Y[10];
@@ -564,8 +564,8 @@ static void spin(const hobe_real *Y, hobe_real *x, hobe_real *w)
     }
 }
 
-/* C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force with
- * component b of D_J */
+/* C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force
+ * with component b of D_J */
 static void rod_stiffness(const double *Q, const hobe_real *t, const hobe_real *D,
                           const hobe_real *e, hobe_real *C)
 {
@@ -604,9 +604,9 @@ static void rod_stiffness(const double *Q, const hobe_real *t, const hobe_real *
                 for (int a = 0; a < 3; a++) {
                     f[a] += P[3 * k + a];
                 }
+                hobe_real *c_ab = C + 9 * (k * S + j) + b;
                 for (int a = 0; a < 3; a++) {
-                    C[9 * (k * S + j) + 3 * a + b] =
-                        e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];
+                    c_ab[3 * a] = e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];
                 }
             }
         }

@@ -158,7 +158,8 @@ def _declaration(name, raw):
         _refuse(path, "source", source,
                 "must be one line of text without quotes, backslashes and comment marks")
     digest = hashlib.sha256(json.dumps(trail, sort_keys=True).encode()).hexdigest()[:16]
-    declaration = Declaration(path, name, source, form, mechanics, nodes, fields, digest)
+    law = form if form == "structural" else mechanics
+    declaration = Declaration(path, name, source, form, law, nodes, fields, digest)
     _check_modes(path, declaration)
     _check_continuity(path, declaration)
     return declaration
@@ -183,25 +184,18 @@ def _inherit(name, raw, below):
     form = table.get("form", form)
     if form not in FORMS:
         _refuse(path, "form", form, f"must be one of {', '.join(FORMS)}")
-    mechanics = _mechanics(path, table, form, mechanics)
+    if form == "structural" and "mechanics" in table:
+        _refuse(path, "mechanics", table["mechanics"],
+                "the form \"structural\" has a law of its own: leave mechanics out")
+    mechanics = table.get("mechanics", mechanics)
+    if mechanics not in MECHANICS:
+        _refuse(path, "mechanics", mechanics, f"must be one of {', '.join(MECHANICS)}")
     declared = table.get("field", [])
     if not isinstance(declared, list) or not all(isinstance(f, dict) for f in declared):
         _refuse(path, "field", declared, "write each field as a [[field]] table")
     for number, field in enumerate(declared, 1):
         fields += (_field(path, f"field {number}: ", field, nodes, fields),)
     return nodes, fields, form, mechanics, trail + [table]
-
-
-def _mechanics(path, table, form, inherited):
-    if form == "structural":
-        if "mechanics" in table:
-            _refuse(path, "mechanics", table["mechanics"],
-                    "the form \"structural\" has a law of its own: leave mechanics out")
-        return form
-    mechanics = table.get("mechanics", inherited)
-    if mechanics not in MECHANICS:
-        _refuse(path, "mechanics", mechanics, f"must be one of {', '.join(MECHANICS)}")
-    return mechanics
 
 
 def _nodes(path, texts):

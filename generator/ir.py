@@ -12,8 +12,8 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Do:
     """One C statement.  Every * + - / outside square brackets counts as an operation on each lane
-    (`+=` as one), and so does a square root; `free` statements count nothing: pointers, integers, and products of numbers that
-    all lanes share."""
+    (`+=` as one), and so does a square root; `free` statements count nothing: pointers, integers,
+    and products of numbers that all lanes share."""
 
     text: str
     free: bool = False

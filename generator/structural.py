@@ -4,7 +4,7 @@
 
 With r' = d_0', a = d_y, b = d_z the section carries a frame, the QR factors of (b, a),
 
-    e_3 = b/|b|,   e_1 = a x b/|a x b|,   e_2 = e_3 x e_1,   a = alpha e_2 + gamma e_3,  b = beta e_3,
+    e_3 = b/|b|,  e_1 = a x b/|a x b|,  e_2 = e_3 x e_1,  a = alpha e_2 + gamma e_3,  b = beta e_3,
 
 and the energy per length is a quadratic form in the changes since the reference of
 
@@ -13,9 +13,9 @@ and the energy per length is a quadratic form in the changes since the reference
     E_yy = a.a/2,  E_zz = b.b/2,  2 E_yz = a.b                            the section's own strain.
 
 The first six, the rod's strains n, are linear in the components Y_Ii = e_i.D_I of the three slopes
-D_I = r', a', b'.  A change of D turns the frame by a spin w that a and b decide; seen from the frame
-Y changes by x_I - w x Y_I, where x_I are the components of the change of D_I.  So the slopes take
-the forces P_I = (dn/dY_I)' t, t = Q n, and a and b those that balance their moment,
+D_I = r', a', b'.  A change of D turns the frame by a spin w that a and b decide; seen from the
+frame Y changes by x_I - w x Y_I, where x_I are the components of the change of D_I.  So the slopes
+take the forces P_I = (dn/dY_I)' t, t = Q n, and a and b those that balance their moment,
 
     a x P_a + b x P_b = sum_I P_I x Y_I;
 
@@ -92,8 +92,8 @@ def _frame():
 def _unit_change():
     return Function(
         "unit_change", (*given("n"), "hobe_real size", *given("d"), *filled("t")),
-        "t = the change of the unit vector n of a vector size * n that changes by d: proportional to"
-        "\n * d however small that is",
+        "t = the change of the unit vector n of a vector size * n that changes by d, with all its\n"
+        " * digits however small d is",
         (Do("hobe_real v[3];", free=True),
          loop("i", "3", Do("v[i] = size * n[i] + d[i];")),
          Do("const hobe_real now = hobe_root(dot(v, v));"),
@@ -126,9 +126,9 @@ def _rod_stresses():
 def _rod_differences():
     return Function(
         "rod_differences", (*given("B", "U"), *filled("e", "n")),
-        "n = changes of the rod's strains, formed without cancellation, and the frame e after the\n"
-        " * change.  A product changes by (change of one) (mean of the other) + the reverse: of e_i "
-        "by t,\n * of D by U; B is the mean of D.",
+        "n = changes of the rod's strains, without cancellation, and the frame e after them.  A\n"
+        " * product changes by (change of one) (mean of the other) + the reverse: e_i changes by\n"
+        " * t, D by U, and B is the mean of D.",
         (Do("hobe_real v[6], size[2], p[3], d[3], t[9], Y[9];", free=True),
          loop("i", "6", Do("v[i] = B[9 + i] - 0.5 * U[9 + i];")),
          Do("frame(v, v + 3, e, size);"),
@@ -177,8 +177,8 @@ def _add_moment():
 def _balance():
     return Function(
         "balance", (*given("Y", "m"), *filled("P")),
-        "The forces on a and b that turn the frame: a x P_a + b x P_b = m, Y_a = (0, alpha, gamma),\n"
-        " * Y_b = (0, 0, beta)",
+        "The forces on a and b that turn the frame: a x P_a + b x P_b = m, on Y_a = (0, alpha,\n"
+        " * gamma) and Y_b = (0, 0, beta)",
         (Do("P[9] = zero - m[2] / Y[10];"),
          Do("P[10] = zero;"),
          Do("P[11] = zero;"),
@@ -233,8 +233,8 @@ def _spin():
 def _rod_stiffness():
     return Function(
         "rod_stiffness", (*numbers("Q"), *given("t", "D", "e"), *filled("C")),
-        "C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force with\n"
-        " * component b of D_J",
+        "C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force\n"
+        " * with component b of D_J",
         (Do("hobe_real Y[3 * S], F[3 * S], x[3 * S], P[3 * S], w[3], n[NN], s[NN], f[3];",
             free=True),
          Do("components(e, D, Y);"),
@@ -255,8 +255,8 @@ def _rod_stiffness():
                  loop("k", "S",
                       Do("vector_product(w, F + 3 * k, f);"),
                       axis3("f[a] += P[3 * k + a];"),
-                      axis3("C[9 * (k * S + j) + 3 * a + b] =\n"
-                            "    e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];"))))))
+                      Do("hobe_real *c_ab = C + 9 * (k * S + j) + b;", free=True),
+                      axis3("c_ab[3 * a] = e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];"))))))
 
 
 # ---- the section's part --------------------------------------------------------------------------
