@@ -202,8 +202,9 @@ static enum hobe_status set_station(const hobe_element *element,
     if (!status)
         status = hobe_axis_rule(options->section, element->kernel, options->integration, &place,
                                 &rules->axis, err);
-    struct hobe_section_properties p;
-    hobe_section_properties(options->section, &p);
+    struct hobe_section_properties p = {0};
+    if (!status && element->mechanics == HOBE_MECHANICS_STRUCTURAL)
+        status = hobe_section_properties_at(options->section, &place, &p, err);
     *station = (struct hobe_station){
         .rule = rules->section.rule,
         .mean_normal = on_axis ? rules->axis.rule : rules->section.rule,
@@ -291,6 +292,7 @@ static enum hobe_status fill_invariants(hobe_element *element,
                                         const struct hobe_element_options *options,
                                         struct hobe_error *err)
 {
+    const int paper = options->integration == HOBE_INTEGRATION_PAPER;
     const int varies = options->q0 || hobe_section_varies(options->section);
     struct hobe_invariants *inv = &element->invariants;
     double gauss[MOST_STATIONS][2];

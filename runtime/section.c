@@ -165,6 +165,17 @@ enum hobe_status hobe_section_probes_at(const hobe_section *section,
     return HOBE_OK;
 }
 
+enum hobe_status hobe_section_properties_at(const hobe_section *section,
+                                            const struct hobe_section_place *place,
+                                            struct hobe_section_properties *p,
+                                            struct hobe_error *err)
+{
+    if (section->kind->properties_at)
+        return section->kind->properties_at(section, place->at, p, err);
+    *p = section->properties;
+    return HOBE_OK;
+}
+
 /* Fields of shear on the section: a unit twist, unit shears, gradients of the functions. */
 enum { TWIST, SHEAR_Y, SHEAR_Z, GRADIENT, FIELDS = GRADIENT + HOBE_SECTION_FUNCTIONS };
 
