@@ -9,7 +9,7 @@
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 2
+#if HOBE_KERNEL_ABI != 3
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -45,11 +45,6 @@ static const double overlap[A * A] = {
     -27.0 / 560.0, -3.0 / 140.0, -3.0 / 140.0, -27.0 / 560.0, 27.0 / 70.0, 33.0 / 560.0,
     19.0 / 1680.0, -3.0 / 140.0, 33.0 / 560.0, 8.0 / 105.0,
 };
-
-static inline int symmetric(int i, int j)
-{
-    return i >= j ? hobe_pair(i, j) : hobe_pair(j, i);
-}
 
 static void shape(double xi, double length, double *N, double *Nx)
 {
@@ -169,6 +164,33 @@ static double gradient_rows(const double (*phi)[4], const double D0[S][3], doubl
     return det;
 }
 
+/* The gradient's rows at a point; returns det J0, 1 where D0 is NULL (straight and prismatic). */
+static double point_rows(const struct hobe_section_point *at, const double (*D0)[3],
+                         double phi[M][4], double g[3][S])
+{
+    section_modes(at->y, at->z, at->f, phi);
+    if (D0)
+        return gradient_rows((const double(*)[4])phi, D0, g);
+    parameter_rows((const double(*)[4])phi, g);
+    return 1.0;
+}
+
+/* Blocks of one station; Qc is NULL where normal and shear strains do not mix. */
+struct blocks {
+    double *Qn, *Qs, *Qc;
+};
+
+static void clear(double *x, int n)
+{
+    for (int i = 0; i < n; i++)
+        x[i] = 0.0;
+}
+
+static inline int symmetric(int i, int j)
+{
+    return i >= j ? hobe_pair(i, j) : hobe_pair(j, i);
+}
+
 /* The place of s_IJ, I <= J, among the Gram entries: the normal block, then the shear block. */
 static int gram_entry(int i, int j)
 {
@@ -202,11 +224,6 @@ static void add_block(double *Q, int r0, int rows, int c0, int columns, int firs
     }
 }
 
-/* Blocks of one station, and whether normal and shear strains mix in them. */
-struct blocks {
-    double *Qn, *Qs, *Qc;
-};
-
 /* Q += weight * sum_ab e_a C_ab e_b' over the strains e. */
 static void add_law(const struct blocks *to, double e[6][NN + NS],
                     const struct hobe_elasticity *C, double weight)
@@ -224,28 +241,11 @@ static void add_law(const struct blocks *to, double e[6][NN + NS],
         add_block(to->Qc, 0, NN, NN, NS, 0, 6, h, e);
 }
 
-static void clear(double *x, int n)
-{
-    for (int i = 0; i < n; i++)
-        x[i] = 0.0;
-}
-
 static void mirror(double *Q, int n)
 {
     for (int r = 0; r < n; r++)
         for (int c = 0; c < r; c++)
             Q[c * n + r] = Q[r * n + c];
-}
-
-/* The gradient's rows at a point; returns det J0, 1 where D0 is NULL (straight and prismatic). */
-static double point_rows(const struct hobe_section_point *at, const double (*D0)[3],
-                         double phi[M][4], double g[3][S])
-{
-    section_modes(at->y, at->z, at->f, phi);
-    if (D0)
-        return gradient_rows((const double(*)[4])phi, D0, g);
-    parameter_rows((const double(*)[4])phi, g);
-    return 1.0;
 }
 
 /* The strain of the mean law, means over `normal` and `shear`. */
@@ -296,6 +296,11 @@ static void section_law(const struct blocks *to, const struct hobe_station *stat
     mirror(to->Qs, NS);
 }
 
+static double mass_weight(const struct hobe_invariants *inv, int g)
+{
+    return inv->wx[g];
+}
+
 /* mass_vw = int moment_kl N_v N_w dx, exact for one section */
 static void mass_matrix(struct hobe_invariants *inv, double moment[M][M])
 {
@@ -311,10 +316,10 @@ static void mass_matrix(struct hobe_invariants *inv, double moment[M][M])
 /* The same, one station's part of the sum. */
 static void add_mass(struct hobe_invariants *inv, int g, double moment[M][M])
 {
-    const double *N = inv->N + V * g;
+    const double *N = inv->N + V * g, weight = mass_weight(inv, g);
     for (int v = 0; v < V; v++)
         for (int w = 0; w < V; w++)
-            inv->mass[v * V + w] += inv->wx[g] * moment[mode[v]][mode[w]] * N[v] * N[w];
+            inv->mass[v * V + w] += weight * moment[mode[v]][mode[w]] * N[v] * N[w];
 }
 
 static void invariants(struct hobe_invariants *inv, const double (*gauss)[2], int sections,
@@ -390,6 +395,51 @@ static void section_vectors(const double *N, const double *Nx, const hobe_real *
 static inline hobe_real dot(const hobe_real *a, const hobe_real *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* x[V][3] = one part of a batch, positions relative to the first node's */
+static void gather(const hobe_real *q, hobe_real *x)
+{
+    for (int v = 0; v < V; v++) {
+        for (int a = 0; a < 3; a++) {
+            x[3 * v + a] = q[(3 * v + a) * HOBE_PARTS];
+            if (position[v]) {
+                x[3 * v + a] -= q[a * HOBE_PARTS];
+            }
+        }
+    }
+}
+
+/* K_vw += w (N_v', N_v) [C] (N_w', N_w)^T for v >= w */
+static void expand(const double *N, const double *Nx, double w, const hobe_real *C, hobe_real *K)
+{
+    for (int v = 0; v < V; v++) {
+        for (int u = 0; u < v + 1; u++) {
+            const int i = mode[v];
+            const int j = mode[u];
+            hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(v, u);
+            const double cxx = w * Nx[v] * Nx[u], cx = w * Nx[v] * N[u];
+            const double xc = w * N[v] * Nx[u], cc = w * N[v] * N[u];
+            for (int e = 0; e < 9; e++) {
+                k[e * HOBE_PARTS] += cxx * C[9 * ((i) * S + j) + e];
+            }
+            if (j > 0) {
+                for (int e = 0; e < 9; e++) {
+                    k[e * HOBE_PARTS] += cx * C[9 * ((i) * S + M - 1 + j) + e];
+                }
+            }
+            if (i > 0) {
+                for (int e = 0; e < 9; e++) {
+                    k[e * HOBE_PARTS] += xc * C[9 * ((M - 1 + i) * S + j) + e];
+                }
+            }
+            if (i > 0 && j > 0) {
+                for (int e = 0; e < 9; e++) {
+                    k[e * HOBE_PARTS] += cc * C[9 * ((M - 1 + i) * S + M - 1 + j) + e];
+                }
+            }
+        }
+    }
 }
 
 /* s_IJ = B_I.C_J + C_I.B_J, s_II = B_I.C_I: with B = D0 + U/2, C = U the Gram differences
@@ -483,19 +533,6 @@ static void section_force(const hobe_real *tn, const hobe_real *ts, const hobe_r
     }
 }
 
-/* x[V][3] = one part of a batch, positions relative to the first node's */
-static void gather(const hobe_real *q, hobe_real *x)
-{
-    for (int v = 0; v < V; v++) {
-        for (int a = 0; a < 3; a++) {
-            x[3 * v + a] = q[(3 * v + a) * HOBE_PARTS];
-            if (position[v]) {
-                x[3 * v + a] -= q[a * HOBE_PARTS];
-            }
-        }
-    }
-}
-
 /* section vectors of b/2 and of c */
 static void polar(const double *N, const double *Nx, const hobe_real *b, const hobe_real *c,
                   hobe_real *B, hobe_real *C)
@@ -505,81 +542,6 @@ static void polar(const double *N, const double *Nx, const hobe_real *b, const h
     for (int i = 0; i < 3 * S; i++) {
         B[i] = 0.5 * B[i];
     }
-}
-
-/* f = dU/dq, eq. 27, for one part of a batch */
-static void force_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
-                       hobe_real *f)
-{
-    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
-    hobe_real n[NN], s[NS], tn[NN], ts[NS];
-    gather(q0, x0);
-    gather(u, x);
-    for (int i = 0; i < 3 * V; i++) {
-        f[i * HOBE_PARTS] = zero;
-    }
-    for (int g = 0; g < inv->stations; g++) {
-        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
-        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
-        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
-        section_vectors(N, Nx, x0, B);
-        section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
-            B[i] += 0.5 * U[i];
-        }
-        differences(B, U, n, s);
-        stress(Qn, Qs, Qc, n, s, tn, ts);
-        /* D = D0 + U */
-        for (int i = 0; i < 3 * S; i++) {
-            B[i] += 0.5 * U[i];
-        }
-        section_force(tn, ts, B, U);
-        for (int v = 0; v < V; v++) {
-            const int k = mode[v];
-            const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
-            for (int a = 0; a < 3; a++) {
-                f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
-            }
-            if (k > 0) {
-                for (int a = 0; a < 3; a++) {
-                    f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
-                }
-            }
-        }
-    }
-}
-
-/* U = sum_g w_g s.sigma/2, eq. 26 */
-static void energy_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
-                        hobe_real *energy)
-{
-    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
-    hobe_real n[NN], s[NS], tn[NN], ts[NS];
-    gather(q0, x0);
-    gather(u, x);
-    hobe_real sum = zero;
-    for (int g = 0; g < inv->stations; g++) {
-        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
-        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
-        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
-        section_vectors(N, Nx, x0, B);
-        section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
-            B[i] += 0.5 * U[i];
-        }
-        differences(B, U, n, s);
-        stress(Qn, Qs, Qc, n, s, tn, ts);
-        hobe_real w = zero;
-        for (int r = 0; r < NN; r++) {
-            w += n[r] * tn[r];
-        }
-        for (int r = 0; r < NS; r++) {
-            w += s[r] * ts[r];
-        }
-        const double half = 0.5 * inv->wx[g];
-        sum += half * w;
-    }
-    energy[0] = sum;
 }
 
 /* f = T(a; b, c): sigma = Q s(b, c), the Gram entries in polar form, applied to D(a) */
@@ -775,36 +737,79 @@ static void section_stiffness(const double *Qn, const double *Qs, const double *
     }
 }
 
-/* K_vw += w (N_v', N_v) [C] (N_w', N_w)^T for v >= w */
-static void expand(const double *N, const double *Nx, double w, const hobe_real *C, hobe_real *K)
+/* f = dU/dq, eq. 27, for one part of a batch */
+static void force_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
+                       hobe_real *f)
 {
-    for (int v = 0; v < V; v++) {
-        for (int u = 0; u < v + 1; u++) {
-            const int i = mode[v];
-            const int j = mode[u];
-            hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(v, u);
-            const double cxx = w * Nx[v] * Nx[u], cx = w * Nx[v] * N[u];
-            const double xc = w * N[v] * Nx[u], cc = w * N[v] * N[u];
-            for (int e = 0; e < 9; e++) {
-                k[e * HOBE_PARTS] += cxx * C[9 * ((i) * S + j) + e];
+    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
+    hobe_real n[NN], s[NS], tn[NN], ts[NS];
+    gather(q0, x0);
+    gather(u, x);
+    for (int i = 0; i < 3 * V; i++) {
+        f[i * HOBE_PARTS] = zero;
+    }
+    for (int g = 0; g < inv->stations; g++) {
+        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
+        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
+        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
+        section_vectors(N, Nx, x0, B);
+        section_vectors(N, Nx, x, U);
+        for (int i = 0; i < 3 * S; i++) {
+            B[i] += 0.5 * U[i];
+        }
+        differences(B, U, n, s);
+        stress(Qn, Qs, Qc, n, s, tn, ts);
+        /* D = D0 + U */
+        for (int i = 0; i < 3 * S; i++) {
+            B[i] += 0.5 * U[i];
+        }
+        section_force(tn, ts, B, U);
+        for (int v = 0; v < V; v++) {
+            const int k = mode[v];
+            const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
+            for (int a = 0; a < 3; a++) {
+                f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
             }
-            if (j > 0) {
-                for (int e = 0; e < 9; e++) {
-                    k[e * HOBE_PARTS] += cx * C[9 * ((i) * S + M - 1 + j) + e];
-                }
-            }
-            if (i > 0) {
-                for (int e = 0; e < 9; e++) {
-                    k[e * HOBE_PARTS] += xc * C[9 * ((M - 1 + i) * S + j) + e];
-                }
-            }
-            if (i > 0 && j > 0) {
-                for (int e = 0; e < 9; e++) {
-                    k[e * HOBE_PARTS] += cc * C[9 * ((M - 1 + i) * S + M - 1 + j) + e];
+            if (k > 0) {
+                for (int a = 0; a < 3; a++) {
+                    f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
                 }
             }
         }
     }
+}
+
+/* U = sum_g w_g s.sigma/2, eq. 26 */
+static void energy_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
+                        hobe_real *energy)
+{
+    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
+    hobe_real n[NN], s[NS], tn[NN], ts[NS];
+    gather(q0, x0);
+    gather(u, x);
+    hobe_real sum = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
+        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
+        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
+        section_vectors(N, Nx, x0, B);
+        section_vectors(N, Nx, x, U);
+        for (int i = 0; i < 3 * S; i++) {
+            B[i] += 0.5 * U[i];
+        }
+        differences(B, U, n, s);
+        stress(Qn, Qs, Qc, n, s, tn, ts);
+        hobe_real w = zero;
+        for (int r = 0; r < NN; r++) {
+            w += n[r] * tn[r];
+        }
+        for (int r = 0; r < NS; r++) {
+            w += s[r] * ts[r];
+        }
+        const double half = 0.5 * inv->wx[g];
+        sum += half * w;
+    }
+    energy[0] = sum;
 }
 
 /* f as in force_part and K = df/dq, eq. 28; C: scratch for the section stiffness */
@@ -899,7 +904,7 @@ static const char *const mode_name[M] = {
 
 extern const struct hobe_kernel HOBE_KERNEL(3433);
 const struct hobe_kernel HOBE_KERNEL(3433) = {
-    .abi = 2,
+    .abi = 3,
     .name = "3433",
     .hash = "559d0ff7ba10ab1b",
     .source = "Tang, Tian & Hu 2022, Table 2",
@@ -916,6 +921,7 @@ const struct hobe_kernel HOBE_KERNEL(3433) = {
     .flops_tangent = 51768,
     .scratch = 135,
     .node = node,
+    .axis_rule = NULL,
     .vector = vector,
     .mode = mode_name,
     .function = NULL,

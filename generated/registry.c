@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 extern const struct hobe_kernel hobe_kernel_3333;
+extern const struct hobe_kernel hobe_kernel_3333s;
 extern const struct hobe_kernel hobe_kernel_3333w;
 extern const struct hobe_kernel hobe_kernel_3333w3;
 extern const struct hobe_kernel hobe_kernel_3363;
@@ -22,6 +23,7 @@ extern const struct hobe_kernel hobe_kernel_MGD30w3;
 
 static const struct hobe_kernel *const portable[] = {
     &hobe_kernel_3333,
+    &hobe_kernel_3333s,
     &hobe_kernel_3333w,
     &hobe_kernel_3333w3,
     &hobe_kernel_3363,
@@ -42,6 +44,7 @@ static const struct hobe_kernel *const portable[] = {
 
 #ifdef HOBE_AVX2
 extern const struct hobe_kernel hobe_kernel_3333_avx2;
+extern const struct hobe_kernel hobe_kernel_3333s_avx2;
 extern const struct hobe_kernel hobe_kernel_3333w_avx2;
 extern const struct hobe_kernel hobe_kernel_3333w3_avx2;
 extern const struct hobe_kernel hobe_kernel_3363_avx2;
@@ -60,6 +63,7 @@ extern const struct hobe_kernel hobe_kernel_MGD30w3_avx2;
 
 static const struct hobe_kernel *const avx2[] = {
     &hobe_kernel_3333_avx2,
+    &hobe_kernel_3333s_avx2,
     &hobe_kernel_3333w_avx2,
     &hobe_kernel_3333w3_avx2,
     &hobe_kernel_3363_avx2,

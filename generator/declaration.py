@@ -6,7 +6,10 @@ A declaration is a TOML file (see elements/README.md):
     name, source          strings
     nodes                 node positions xi in [0, 1], exact rationals as strings
     extends               another element, whose nodes and fields come first
-    mechanics             default elastic law: "average" (default), "axis" or "full"
+    form                  of the elastic force: "continuum" (default), the strain at each point of
+                          the section; "structural", a rod whose section can stretch and shear
+    mechanics             default elastic law: "average" (default), "axis" or "full"; the form
+                          "structural" has a law of its own
     [[field]]             modes that share axial functions
         modes             "1", monomials like "y", "yz", "yyy", or section functions like "w"
         dofs              { node = ["value", "slope"], ... }, nodes counted from 1; or
@@ -23,9 +26,10 @@ import tomllib
 from dataclasses import dataclass
 from fractions import Fraction
 
+FORMS = ("continuum", "structural")
 MECHANICS = ("average", "axis", "full")
 KINDS = ("value", "slope")
-KEYS = ("name", "source", "nodes", "extends", "mechanics", "field")
+KEYS = ("name", "source", "nodes", "extends", "form", "mechanics", "field")
 FIELD_KEYS = ("modes", "dofs", "like", "functions")
 MONOMIAL = re.compile(r"(?=.)y*z*")
 FUNCTION = re.compile(r"w[a-z0-9]*")
@@ -75,6 +79,7 @@ class Declaration:
     path: str
     name: str
     source: str
+    form: str
     mechanics: str
     nodes: tuple  # Fractions, ascending, from 0 to 1
     fields: tuple
@@ -146,35 +151,42 @@ def _known_keys(path, where, table, known):
 
 def _declaration(name, raw):
     path, table = raw[name]
-    nodes, fields, mechanics, trail = _inherit(name, raw, ())
+    nodes, fields, form, mechanics, trail = _inherit(name, raw, ())
     source = table.get("source", "")
     if (not isinstance(source, str) or not source.isprintable()
             or any(mark in source for mark in ('"', "\\", "/*", "*/"))):
         _refuse(path, "source", source,
                 "must be one line of text without quotes, backslashes and comment marks")
     digest = hashlib.sha256(json.dumps(trail, sort_keys=True).encode()).hexdigest()[:16]
-    declaration = Declaration(path, name, source, mechanics, nodes, fields, digest)
+    law = form if form == "structural" else mechanics
+    declaration = Declaration(path, name, source, form, law, nodes, fields, digest)
     _check_modes(path, declaration)
     _check_continuity(path, declaration)
     return declaration
 
 
 def _inherit(name, raw, below):
-    """Nodes, fields and mechanics of an element after those of the elements it extends."""
+    """Nodes, fields, form and mechanics of an element after those of the elements it extends."""
     path, table = raw[name]
     if name in below:
         _refuse(path, "extends", name, "an element cannot extend itself")
-    nodes, fields, mechanics, trail = (), (), MECHANICS[0], []
+    nodes, fields, form, mechanics, trail = (), (), FORMS[0], MECHANICS[0], []
     if (base := table.get("extends")) is not None:
         if not isinstance(base, str) or base not in raw:
             _refuse(path, "extends", base, f"no such element; known are {', '.join(sorted(raw))}")
-        nodes, fields, mechanics, trail = _inherit(base, raw, below + (name,))
+        nodes, fields, form, mechanics, trail = _inherit(base, raw, below + (name,))
     if "nodes" in table:
         if nodes:
             _refuse(path, "nodes", table["nodes"], f"nodes are those of {table['extends']}")
         nodes = _nodes(path, table["nodes"])
     if not nodes:
         _refuse(path, "nodes", None, "missing: give node positions or extend an element")
+    form = table.get("form", form)
+    if form not in FORMS:
+        _refuse(path, "form", form, f"must be one of {', '.join(FORMS)}")
+    if form == "structural" and "mechanics" in table:
+        _refuse(path, "mechanics", table["mechanics"],
+                "the form \"structural\" has a law of its own: leave mechanics out")
     mechanics = table.get("mechanics", mechanics)
     if mechanics not in MECHANICS:
         _refuse(path, "mechanics", mechanics, f"must be one of {', '.join(MECHANICS)}")
@@ -183,7 +195,7 @@ def _inherit(name, raw, below):
         _refuse(path, "field", declared, "write each field as a [[field]] table")
     for number, field in enumerate(declared, 1):
         fields += (_field(path, f"field {number}: ", field, nodes, fields),)
-    return nodes, fields, mechanics, trail + [table]
+    return nodes, fields, form, mechanics, trail + [table]
 
 
 def _nodes(path, texts):
@@ -246,6 +258,8 @@ def _check_modes(path, declaration):
     modes = declaration.modes
     if modes[:3] != ("1", "y", "z"):
         _refuse(path, "modes", list(modes), 'the first three modes must be "1", "y", "z"')
+    if declaration.form == "structural" and len(modes) > 3:
+        _refuse(path, "modes", list(modes), "the form \"structural\" has the modes 1, y, z only")
     for mode in modes:
         if mode != "1" and not MONOMIAL.fullmatch(mode) and not FUNCTION.fullmatch(mode):
             _refuse(path, "modes", mode,

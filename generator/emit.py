@@ -3,10 +3,11 @@
 
 from fractions import Fraction
 
+from . import structural
 from .ir import write
 from .shape import derivative
 
-ABI = 2  # HOBE_KERNEL_ABI of kernel.h
+ABI = 3  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -18,9 +19,10 @@ def element_file(element, plan):
     """The C file of one element."""
     counts = plan.operations
     parts = [_head(element, counts), _tables(element), _shape(element), _modes(element)]
-    parts += [INVARIANTS, STRAIN]
+    parts += [REFERENCE, LAWS[element.declaration.form], INVARIANTS, STRAIN]
     parts += [_function(f) for f in plan.functions]
-    parts += [BATCH, _descriptor(element, counts)]
+    parts += [BATCH, *([TRILINEAR] if "trilinear_part" in counts else []),
+              _descriptor(element, counts)]
     return "\n".join(parts)
 
 
@@ -79,7 +81,7 @@ def _head(element, counts):
         f"nodes at xi = {' '.join(map(str, d.nodes))}; {size['V']} vectors, {3 * size['V']} "
         "degrees of freedom",
         *_wrap("modes", " ".join(d.modes)),
-        f"the energy is exact with {element.stations} Gauss points on the axis",
+        _points(element),
         *_wrap("vectors (mode@node, ' for d/dx):", vectors),
         f"operations per element: force {counts['force_part']}, force and tangent "
         f"{counts['tangent_part']}, energy {counts['energy_part']}",
@@ -88,6 +90,15 @@ def _head(element, counts):
                       '#include "kernel.h"', "", f"#if HOBE_KERNEL_ABI != {ABI}",
                       "#error Regenerate: this file was written for another kernel ABI",
                       "#endif", ""])
+
+
+def _points(element):
+    """What the points on the axis are."""
+    n = element.stations
+    if element.declaration.form == "continuum":
+        return f"the energy is exact with {n} Gauss points on the axis"
+    return (f"{n // 2} Gauss points on the axis for the rod's strains, {n - n // 2} Lobatto points "
+            "for the section's")
 
 
 def _wrap(head, words, width=92):
@@ -115,11 +126,19 @@ def _table(declaration, values, width=96):
     return "\n".join([f"{declaration} = {{", *lines, line, "};"])
 
 
+BLOCKS = {
+    "continuum": {"NA": "Gram pairs d_k'.d_l'", "NN": "normal block: those and d_k.d_l",
+                  "NS": "shear block: d_k'.d_l"},
+    "structural": {"ROD": "stations of the rod's strains, before those of the section's",
+                   "NN": "the rod's strains Gamma, kappa",
+                   "NS": "the section's strains E_yy, E_zz, 2 E_yz"},
+}
+
+
 def _tables(element):
     d, size = element.declaration, element.sizes
     notes = {"V": "nodal vectors", "M": "section modes", "S": "section vectors d_k', d_k",
-             "NA": "Gram pairs d_k'.d_l'", "NN": "normal block: those and d_k.d_l",
-             "NS": "shear block: d_k'.d_l", "A": "distinct axial functions"}
+             "A": "distinct axial functions", **BLOCKS[d.form]}
     width = max(len(f"{n} = {v},") for n, v in size.items())
     enum = [f"    {f'{n} = {v},':<{width}} /* {notes[n]} */" for n, v in size.items()]
     overlap = [_number(x) for row in element.overlap for x in row]
@@ -134,9 +153,7 @@ def _tables(element):
         _table("static const unsigned char is_slope[A]",
                [str(int(a.slope)) for a in element.axial]),
         "", "/* int_0^1 A_i A_j dxi, exact */",
-        _table("static const double overlap[A * A]", overlap), "",
-        "static inline int symmetric(int i, int j)", "{",
-        "    return i >= j ? hobe_pair(i, j) : hobe_pair(j, i);", "}", ""])
+        _table("static const double overlap[A * A]", overlap), ""])
 
 
 def _horner(coefficients, x):
@@ -198,7 +215,7 @@ def _function(function):
     return "\n".join([f"/* {function.comment} */", *lines, "{", *write(function.body), "}", ""])
 
 
-INVARIANTS = """\
+REFERENCE = """\
 /* The section vectors D[S][3] of nodal vectors q[V][3] at a place of the axis. */
 static void vectors_at(const double *N, const double *Nx, const double *q, double D[S][3])
 {
@@ -280,6 +297,35 @@ static double gradient_rows(const double (*phi)[4], const double D0[S][3], doubl
     return det;
 }
 
+/* The gradient's rows at a point; returns det J0, 1 where D0 is NULL (straight and prismatic). */
+static double point_rows(const struct hobe_section_point *at, const double (*D0)[3],
+                         double phi[M][4], double g[3][S])
+{
+    section_modes(at->y, at->z, at->f, phi);
+    if (D0)
+        return gradient_rows((const double(*)[4])phi, D0, g);
+    parameter_rows((const double(*)[4])phi, g);
+    return 1.0;
+}
+
+/* Blocks of one station; Qc is NULL where normal and shear strains do not mix. */
+struct blocks {
+    double *Qn, *Qs, *Qc;
+};
+
+static void clear(double *x, int n)
+{
+    for (int i = 0; i < n; i++)
+        x[i] = 0.0;
+}
+"""
+
+GRAM_LAW = """\
+static inline int symmetric(int i, int j)
+{
+    return i >= j ? hobe_pair(i, j) : hobe_pair(j, i);
+}
+
 /* The place of s_IJ, I <= J, among the Gram entries: the normal block, then the shear block. */
 static int gram_entry(int i, int j)
 {
@@ -313,11 +359,6 @@ static void add_block(double *Q, int r0, int rows, int c0, int columns, int firs
     }
 }
 
-/* Blocks of one station, and whether normal and shear strains mix in them. */
-struct blocks {
-    double *Qn, *Qs, *Qc;
-};
-
 /* Q += weight * sum_ab e_a C_ab e_b' over the strains e. */
 static void add_law(const struct blocks *to, double e[6][NN + NS],
                     const struct hobe_elasticity *C, double weight)
@@ -335,28 +376,11 @@ static void add_law(const struct blocks *to, double e[6][NN + NS],
         add_block(to->Qc, 0, NN, NN, NS, 0, 6, h, e);
 }
 
-static void clear(double *x, int n)
-{
-    for (int i = 0; i < n; i++)
-        x[i] = 0.0;
-}
-
 static void mirror(double *Q, int n)
 {
     for (int r = 0; r < n; r++)
         for (int c = 0; c < r; c++)
             Q[c * n + r] = Q[r * n + c];
-}
-
-/* The gradient's rows at a point; returns det J0, 1 where D0 is NULL (straight and prismatic). */
-static double point_rows(const struct hobe_section_point *at, const double (*D0)[3],
-                         double phi[M][4], double g[3][S])
-{
-    section_modes(at->y, at->z, at->f, phi);
-    if (D0)
-        return gradient_rows((const double(*)[4])phi, D0, g);
-    parameter_rows((const double(*)[4])phi, g);
-    return 1.0;
 }
 
 /* The strain of the mean law, means over `normal` and `shear`. */
@@ -407,6 +431,15 @@ static void section_law(const struct blocks *to, const struct hobe_station *stat
     mirror(to->Qs, NS);
 }
 
+static double mass_weight(const struct hobe_invariants *inv, int g)
+{
+    return inv->wx[g];
+}
+"""
+
+LAWS = {"continuum": GRAM_LAW, "structural": structural.LAW}
+
+INVARIANTS = """\
 /* mass_vw = int moment_kl N_v N_w dx, exact for one section */
 static void mass_matrix(struct hobe_invariants *inv, double moment[M][M])
 {
@@ -422,10 +455,10 @@ static void mass_matrix(struct hobe_invariants *inv, double moment[M][M])
 /* The same, one station's part of the sum. */
 static void add_mass(struct hobe_invariants *inv, int g, double moment[M][M])
 {
-    const double *N = inv->N + V * g;
+    const double *N = inv->N + V * g, weight = mass_weight(inv, g);
     for (int v = 0; v < V; v++)
         for (int w = 0; w < V; w++)
-            inv->mass[v * V + w] += inv->wx[g] * moment[mode[v]][mode[w]] * N[v] * N[w];
+            inv->mass[v * V + w] += weight * moment[mode[v]][mode[w]] * N[v] * N[w];
 }
 
 static void invariants(struct hobe_invariants *inv, const double (*gauss)[2], int sections,
@@ -504,7 +537,9 @@ static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, con
         tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h,
                      (hobe_real *)K + h, (hobe_real *)scratch);
 }
+"""
 
+TRILINEAR = """\
 static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
                       const hobe_lanes *c, hobe_lanes *f, hobe_lanes *scratch)
 {
@@ -519,12 +554,15 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
 def _descriptor(element, counts):
     d, size = element.declaration, element.sizes
     functions = [f'"{f}"' for f in d.functions]
+    rule = structural.axis_rule(element.stations // 2) if d.form == "structural" else ()
     lines = [
         _table("static const double node[]", [_number(x) for x in d.nodes]),
         _table("static const struct hobe_vector vector[V]",
                [f"{{{v.node}, {v.mode}, {int(v.slope)}}}" for v in d.vectors]),
         _table("static const char *const mode_name[M]", [f'"{m}"' for m in d.modes]),
         *([_table("static const char *const function_name[]", functions)] if functions else []),
+        *([_table("static const double axis_rule[][2]", [f"{{{x!r}, {w!r}}}" for x, w in rule])]
+          if rule else []),
         "",
         f"extern const struct hobe_kernel HOBE_KERNEL({identifier(d.name)});",
         f"const struct hobe_kernel HOBE_KERNEL({identifier(d.name)}) = {{",
@@ -537,10 +575,11 @@ def _descriptor(element, counts):
         "functions": len(functions), "stations": element.stations, "degree": element.degree,
         "normals": "NN", "shears": "NS", "flops_force": counts["force_part"],
         "flops_tangent": counts["tangent_part"], "scratch": scratch, "node": "node",
-        "vector": "vector", "mode": "mode_name",
+        "axis_rule": "axis_rule" if rule else "NULL", "vector": "vector", "mode": "mode_name",
         "function": "function_name" if functions else "NULL", "shape": "shape",
         "section_modes": "section_modes", "invariants": "invariants", "energy": "energy",
-        "force": "force", "tangent": "tangent", "trilinear": "trilinear", "strain": "strain",
+        "force": "force", "tangent": "tangent",
+        "trilinear": "trilinear" if "trilinear_part" in counts else "NULL", "strain": "strain",
     }
     lines += [f"    .{name} = {value}," for name, value in fields.items()]
     return "\n".join(lines + ["};", ""])

@@ -43,20 +43,29 @@ class Element:
     axial: tuple     # distinct Axial functions
     axial_of: tuple  # for each vector the number of its axial function
     overlap: tuple   # int_0^1 A_i A_j dxi, exact
-    stations: int    # Gauss points on the axis that integrate the energy exactly
+    stations: int    # points on the axis: 2p + 1 for axial functions of degree p
     degree: int      # of the section's monomials
 
     @property
     def sizes(self):
         """Names and values of the constants that the emitted loops run over."""
         m = len(self.modes)
+        blocks = {
+            "NA": m * (m + 1) // 2,              # Gram pairs d_k'.d_l'
+            "NN": m * m,                         # normal block: those and d_k.d_l
+            "NS": m * (m - 1),                   # shear block: d_k'.d_l
+        }
+        if self.declaration.form == "structural":
+            blocks = {
+                "ROD": self.stations // 2,         # stations of the rod's strains, the first ones
+                "NN": 6,                         # the rod's strains Gamma, kappa
+                "NS": 3,                         # the section's strains E_yy, E_zz, 2 E_yz
+            }
         return {
             "V": len(self.declaration.vectors),  # nodal vectors
             "M": m,                              # section modes
             "S": 2 * m - 1,                      # section vectors d_k', d_k
-            "NA": m * (m + 1) // 2,              # Gram pairs d_k'.d_l'
-            "NN": m * m,                         # normal block: those and d_k.d_l
-            "NS": m * (m - 1),                   # shear block: d_k'.d_l
+            **blocks,
             "A": len(self.axial),                # distinct axial functions
         }
 
@@ -92,7 +101,8 @@ def _integral(a, b):
 
 
 def _stations(declaration, functions):
-    """Gauss points for the quartic energy in d_k' (all k) and d_k (k > 0)."""
+    """Gauss points for the quartic energy in d_k' (all k) and d_k (k > 0); as many as the
+    structural form has of two kinds."""
     slopes = max(len(derivative(f)) - 1 for fs in functions for f in fs)
     values = max(len(f) - 1 for field, fs in zip(declaration.fields, functions)
                  if field.modes != ("1",) for f in fs)

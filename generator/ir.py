@@ -12,8 +12,8 @@ from dataclasses import dataclass
 @dataclass(frozen=True)
 class Do:
     """One C statement.  Every * + - / outside square brackets counts as an operation on each lane
-    (`+=` as one); `free` statements count nothing: pointers, integers, and products of numbers that
-    all lanes share."""
+    (`+=` as one), and so does a square root; `free` statements count nothing: pointers, integers,
+    and products of numbers that all lanes share."""
 
     text: str
     free: bool = False
@@ -129,10 +129,12 @@ class Counter:
 
 
 def operations(text):
-    """Arithmetic operators of a C statement, those inside indices and arguments aside."""
+    """Arithmetic operators and square roots of a C statement, those inside indices and arguments
+    aside."""
+    roots = len(re.findall(r"\bhobe_root\(", text))
     while (inner := re.sub(r"\[[^\[\]]*\]|\w\([^()]*\)", "", text)) != text:
         text = inner
-    return len(re.findall(r"[*/+-]", text))
+    return roots + len(re.findall(r"[*/+-]", text))
 
 
 def _depends(body, var):

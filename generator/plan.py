@@ -9,11 +9,14 @@ form Q (sigma = Q s), and force and tangent are handed back to the nodes:
     d2W/dD_I dD_J = sum_KL D_K Q_(IK)(JL) D_L^T + sigma_IJ 1
 
 Both hold without factors of two because diagonal Gram entries carry a half (kernel.h).  Nothing
-here knows an element's name: sizes and tables come from the Element.
+here knows an element's name: sizes and tables come from the Element.  This is the form "continuum";
+what the form "structural" puts in its place is in structural.py.
 """
 
 from dataclasses import dataclass
 
+from . import structural
+from .form import Form, axis3, filled, given, numbers, product
 from .ir import Counter, Do, For, Function, If, Let, Note, loop
 
 
@@ -31,37 +34,21 @@ def build(element):
     vectors = element.declaration.vectors
     names = {**element.sizes, "inv_stations": element.stations, "Qc": 0,  # straight and prismatic
              "mode": [v.mode for v in vectors], "position": [int(v.is_position) for v in vectors]}
-    loops = functions()
+    loops = functions(element.declaration.form)
     counter = Counter(loops, names)
     whole = [f.name for f in loops if f.name.endswith("_part")]
     return Plan(loops, {name: counter.count(name) for name in whole})
 
 
-def functions():
-    """The loop nests, the same for every element: sizes and tables make the difference."""
-    return (_section_vectors(), _dot(), _differences(), _stress(), _section_force(), _gather(),
-            _polar(), _force_part(), _energy_part(), _trilinear_part(), _coupled_column(),
-            _section_stiffness(), _expand(), _tangent_part())
+def functions(form):
+    """The loop nests, the same for every element of a form: sizes and tables make the difference.
+    """
+    form = {"continuum": _continuum, "structural": structural.form}[form]()
+    return (_section_vectors(), _dot(), _gather(), _expand(), *form.functions, _force_part(form),
+            _energy_part(form), _tangent_part(form))
 
 
 INVARIANTS = "const struct hobe_invariants *inv"
-
-
-def numbers(*names):
-    """Arguments that are the same for all lanes."""
-    return tuple(f"const double *{name}" for name in names)
-
-
-def given(*names):
-    return tuple(f"const hobe_real *{name}" for name in names)
-
-
-def filled(*names):
-    return tuple(f"hobe_real *{name}" for name in names)
-
-
-def _axis3(text):
-    return loop("a", "3", Do(text))
 
 
 def _section_vectors():
@@ -74,8 +61,8 @@ def _section_vectors():
             loop(
                 "v", "V",
                 Let("k", "mode[v]"),
-                _axis3("D[3 * k + a] += Nx[v] * q[3 * v + a];"),
-                If("k > 0", (_axis3("D[3 * (M - 1 + k) + a] += N[v] * q[3 * v + a];"),)),
+                axis3("D[3 * k + a] += Nx[v] * q[3 * v + a];"),
+                If("k > 0", (axis3("D[3 * (M - 1 + k) + a] += N[v] * q[3 * v + a];"),)),
             ),
         ))
 
@@ -109,13 +96,6 @@ def _differences():
 
 
 def _stress():
-    def product(size, q, s, sigma):
-        """By columns of the symmetric Q: independent sums, where rows would wait for each other."""
-        return (
-            loop("r", size, Do(f"{sigma}[r] = zero;")),
-            loop("c", size, loop("r", size, Do(f"{sigma}[r] += {q}[c * {size} + r] * {s}[c];"))),
-        )
-
     coupling = loop("r", "NN", loop(
         "c", "NS",
         Do("tn[r] += Qc[r * NS + c] * s[c];"),
@@ -132,7 +112,7 @@ def _section_force():
     def row(first, last, entry):
         return For("j", first, last, (
             Do(f"const hobe_real t = {entry};"),
-            _axis3("P[3 * i + a] += t * D[3 * j + a];")))
+            axis3("P[3 * i + a] += t * D[3 * j + a];")))
 
     return Function(
         "section_force",
@@ -158,26 +138,36 @@ def _gather():
             If("position[v]", (Do("x[3 * v + a] -= q[a * HOBE_PARTS];"),)))),))
 
 
-STATION = (
-    Do("const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;", free=True),
+AXIAL = Do("const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;", free=True)
+
+LAW = (
     Do("const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;", free=True),
     Do("const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;", free=True),
 )
 
-STATE = (
+VECTORS = (
     Do("section_vectors(N, Nx, x0, B);"),
     Do("section_vectors(N, Nx, x, U);"),
     loop("i", "3 * S", Do("B[i] += 0.5 * U[i];")),
-    Do("differences(B, U, n, s);"),
-    Do("stress(Qn, Qs, Qc, n, s, tn, ts);"),
 )
 
 CURRENT = Note("D = D0 + U"), loop("i", "3 * S", Do("B[i] += 0.5 * U[i];"))
 
-LOCALS = (
-    Do("hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];", free=True),
-    Do("hobe_real n[NN], s[NS], tn[NN], ts[NS];", free=True),
-)
+VECTOR_ARRAYS = Do("hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];", free=True)
+GRAM_ARRAYS = Do("hobe_real n[NN], s[NS], tn[NN], ts[NS];", free=True)
+
+
+def _continuum():
+    """The strain of the continuum at each point of the section, as Gram differences."""
+    return Form(
+        functions=(_differences(), _stress(), _section_force(), _polar(), _trilinear_part(),
+                   _coupled_column(), _section_stiffness()),
+        arrays=(GRAM_ARRAYS,),
+        law=LAW,
+        state=(Do("differences(B, U, n, s);"), Do("stress(Qn, Qs, Qc, n, s, tn, ts);")),
+        work=(loop("r", "NN", Do("w += n[r] * tn[r];")), loop("r", "NS", Do("w += s[r] * ts[r];"))),
+        force=(Do("section_force(tn, ts, B, U);"),),
+        stiffness=(Do("section_stiffness(Qn, Qs, Qc, tn, ts, B, C, C + 9 * S * S);"),))
 
 
 def _hand_back(source):
@@ -186,43 +176,43 @@ def _hand_back(source):
         "v", "V",
         Let("k", "mode[v]"),
         Do("const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];", free=True),
-        _axis3(f"f[(3 * v + a) * HOBE_PARTS] += cx * {source}[3 * k + a];"),
+        axis3(f"f[(3 * v + a) * HOBE_PARTS] += cx * {source}[3 * k + a];"),
         If("k > 0", (
-            _axis3(f"f[(3 * v + a) * HOBE_PARTS] += c * {source}[3 * (M - 1 + k) + a];"),)))
+            axis3(f"f[(3 * v + a) * HOBE_PARTS] += c * {source}[3 * (M - 1 + k) + a];"),)))
 
 
 CLEAR_FORCE = loop("i", "3 * V", Do("f[i * HOBE_PARTS] = zero;"))
 
 
-def _force_part():
+def _force_part(form):
     return Function(
         "force_part",
         (INVARIANTS, *given("q0", "u"), *filled("f")),
         "f = dU/dq, eq. 27, for one part of a batch",
         (
-            *LOCALS,
+            VECTOR_ARRAYS,
+            *form.arrays,
             Do("gather(q0, x0);"),
             Do("gather(u, x);"),
             CLEAR_FORCE,
-            loop("g", "inv->stations", *STATION, *STATE, *CURRENT,
-                 Do("section_force(tn, ts, B, U);"), _hand_back("U")),
+            loop("g", "inv->stations", AXIAL, *form.law, *VECTORS, *form.state, *CURRENT,
+                 *form.force, _hand_back("U")),
         ))
 
 
-def _energy_part():
+def _energy_part(form):
     return Function(
         "energy_part",
         (INVARIANTS, *given("q0", "u"), *filled("energy")),
         "U = sum_g w_g s.sigma/2, eq. 26",
         (
-            *LOCALS,
+            VECTOR_ARRAYS,
+            *form.arrays,
             Do("gather(q0, x0);"),
             Do("gather(u, x);"),
             Do("hobe_real sum = zero;"),
-            loop("g", "inv->stations", *STATION, *STATE,
-                 Do("hobe_real w = zero;"),
-                 loop("r", "NN", Do("w += n[r] * tn[r];")),
-                 loop("r", "NS", Do("w += s[r] * ts[r];")),
+            loop("g", "inv->stations", AXIAL, *form.law, *VECTORS, *form.state,
+                 Do("hobe_real w = zero;"), *form.work,
                  Do("const double half = 0.5 * inv->wx[g];", free=True),
                  Do("sum += half * w;")),
             Do("energy[0] = sum;"),
@@ -248,12 +238,13 @@ def _trilinear_part():
         "f = T(a; b, c): sigma = Q s(b, c), the Gram entries in polar form, applied to D(a)",
         (
             Do("hobe_real xa[3 * V];", free=True),
-            *LOCALS,
+            VECTOR_ARRAYS,
+            GRAM_ARRAYS,
             Do("gather(qa, xa);"),
             Do("gather(qb, x0);"),
             Do("gather(qc, x);"),
             CLEAR_FORCE,
-            loop("g", "inv->stations", *STATION,
+            loop("g", "inv->stations", AXIAL, *LAW,
                  Do("polar(N, Nx, x0, x, B, U);"),
                  Do("differences(B, U, n, s);"),
                  Do("stress(Qn, Qs, Qc, n, s, tn, ts);"),
@@ -270,7 +261,7 @@ def _column():
             "r", size,
             Do("hobe_real sum[3] = {zero, zero, zero};", free=True),
             For("l", first, last, (
-                _axis3(f"sum[a] += {q}[r * {size} + {entry}] * D[3 * l + a];"),)),
+                axis3(f"sum[a] += {q}[r * {size} + {entry}] * D[3 * l + a];"),)),
             loop("a", "3", Do(f"{target}[3 * r + a] = sum[a];")))
 
     return (
@@ -285,7 +276,7 @@ def _coupled_column():
     def add(row, column, target, first, last):
         """target_r += sum_L Qc_(row, column) D_L; one of row and column is r."""
         return loop("r", "NN" if target == "Tn" else "NS", For("l", first, last, (
-            _axis3(f"{target}[3 * r + a] += Qc[({row}) * NS + {column}] * D[3 * l + a];"),)))
+            axis3(f"{target}[3 * r + a] += Qc[({row}) * NS + {column}] * D[3 * l + a];"),)))
 
     return Function(
         "coupled_column",
@@ -367,19 +358,20 @@ def _expand():
         ))
 
 
-def _tangent_part():
+def _tangent_part(form):
     return Function(
         "tangent_part",
         (INVARIANTS, *given("q0", "u"), *filled("f", "K", "C")),
         "f as in force_part and K = df/dq, eq. 28; C: scratch for the section stiffness",
         (
-            *LOCALS,
+            VECTOR_ARRAYS,
+            *form.arrays,
             Do("gather(q0, x0);"),
             Do("gather(u, x);"),
             CLEAR_FORCE,
             loop("i", "9 * V * (V + 1) / 2", Do("K[i * HOBE_PARTS] = zero;")),
-            loop("g", "inv->stations", *STATION, *STATE, *CURRENT,
-                 Do("section_stiffness(Qn, Qs, Qc, tn, ts, B, C, C + 9 * S * S);"),
+            loop("g", "inv->stations", AXIAL, *form.law, *VECTORS, *form.state, *CURRENT,
+                 *form.stiffness,
                  Do("expand(N, Nx, inv->wx[g], C, K);"),
-                 Do("section_force(tn, ts, B, U);"), _hand_back("U")),
+                 *form.force, _hand_back("U")),
         ))

@@ -202,8 +202,16 @@ static enum hobe_status set_station(const hobe_element *element,
     if (!status)
         status = hobe_axis_rule(options->section, element->kernel, options->integration, &place,
                                 &rules->axis, err);
+    struct hobe_section_properties p = {0};
+    if (!status && element->mechanics == HOBE_MECHANICS_STRUCTURAL)
+        status = hobe_section_properties_at(options->section, &place, &p, err);
     *station = (struct hobe_station){
-        rules->section.rule, on_axis ? rules->axis.rule : rules->section.rule, rules->section.rule};
+        .rule = rules->section.rule,
+        .mean_normal = on_axis ? rules->axis.rule : rules->section.rule,
+        .mean_shear = rules->section.rule,
+        .J = p.J,
+        .shear_centre = {p.ys, p.zs},
+    };
     return status;
 }
 
@@ -262,6 +270,24 @@ static enum hobe_status paper_mass(hobe_element *element,
     return status;
 }
 
+static int stations(const struct hobe_kernel *kernel, int varies, enum hobe_integration integration)
+{
+    if (kernel->axis_rule)
+        return kernel->stations;
+    if (integration == HOBE_INTEGRATION_PAPER)
+        return PAPER_STATIONS;
+    return kernel->stations + (varies ? MORE_STATIONS : 0);
+}
+
+static enum hobe_status axis_rule(const struct hobe_kernel *kernel, int count, double (*rule)[2],
+                                  struct hobe_error *err)
+{
+    if (!kernel->axis_rule)
+        return hobe_gauss(count, rule, err);
+    memcpy(rule, kernel->axis_rule, (size_t)count * sizeof *rule);
+    return HOBE_OK;
+}
+
 static enum hobe_status fill_invariants(hobe_element *element,
                                         const struct hobe_element_options *options,
                                         struct hobe_error *err)
@@ -271,14 +297,13 @@ static enum hobe_status fill_invariants(hobe_element *element,
     struct hobe_invariants *inv = &element->invariants;
     double gauss[MOST_STATIONS][2];
     inv->length = options->length;
-    inv->stations =
-        paper ? PAPER_STATIONS : element->kernel->stations + (varies ? MORE_STATIONS : 0);
+    inv->stations = stations(element->kernel, varies, options->integration);
     if (inv->stations > MOST_STATIONS)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "element %s needs %d > %d axial points",
                          element->kernel->name, inv->stations, MOST_STATIONS);
     enum hobe_status status = allocate(element, varies, err);
     if (!status)
-        status = hobe_gauss(inv->stations, gauss, err);
+        status = axis_rule(element->kernel, inv->stations, gauss, err);
     if (status)
         return status;
     set_reference(element, options->q0);
@@ -399,6 +424,26 @@ static enum hobe_status check_at_rest(hobe_element *element, struct hobe_error *
 
 /* ---- public --------------------------------------------------------------------------------- */
 
+/* The structural form has one law and its own points on the axis. */
+static enum hobe_status check_form(const struct hobe_element_options *options,
+                                   struct hobe_error *err)
+{
+    const struct hobe_kernel *k = options->kernel;
+    const enum hobe_mechanics own = hobe_mechanics_find(k->mechanics), asked = options->mechanics;
+    const int structural = own == HOBE_MECHANICS_STRUCTURAL;
+    if (asked && structural != (asked == HOBE_MECHANICS_STRUCTURAL))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "element %s does not take mechanics \"%s\"; leave it out for its own, "
+                         "\"%s\"",
+                         k->name, hobe_mechanics_name(asked), k->mechanics);
+    if (structural && options->integration == HOBE_INTEGRATION_PAPER)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "element %s brings its own points on the axis and does not take "
+                         "integration \"paper\"; leave it out",
+                         k->name);
+    return HOBE_OK;
+}
+
 hobe_element *hobe_element_new(const struct hobe_element_options *options, struct hobe_error *err)
 {
     if (!(options->length > 0 && isfinite(options->length))) {
@@ -407,6 +452,8 @@ hobe_element *hobe_element_new(const struct hobe_element_options *options, struc
         return NULL;
     }
     if (hobe_material_check(&options->material, err))
+        return NULL;
+    if (check_form(options, err))
         return NULL;
     if (options->kernel->vectors > HOBE_MAX_VECTORS) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL, "element %s has %d vectors, at most %d are possible",

@@ -166,10 +166,12 @@ struct hobe_material {
 };
 
 enum hobe_mechanics {
-    HOBE_MECHANICS_DEFAULT, /* what the element declares */
-    HOBE_MECHANICS_AVERAGE, /* Poisson coupling of the section-averaged strain */
-    HOBE_MECHANICS_AXIS,    /* Poisson coupling on the axis: the paper's eq. 26 */
-    HOBE_MECHANICS_FULL     /* unsplit continuum mechanics */
+    HOBE_MECHANICS_DEFAULT,   /* what the element declares */
+    HOBE_MECHANICS_AVERAGE,   /* Poisson coupling of the section-averaged strain */
+    HOBE_MECHANICS_AXIS,      /* Poisson coupling on the axis: the paper's eq. 26 */
+    HOBE_MECHANICS_FULL,      /* unsplit continuum mechanics */
+    HOBE_MECHANICS_STRUCTURAL /* a rod's law: E, G and the section's J, no Poisson coupling; that of
+                                 elements whose form is structural, which take no other */
 };
 const char *hobe_mechanics_name(enum hobe_mechanics mechanics);
 

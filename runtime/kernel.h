@@ -20,6 +20,17 @@
  * (prime-value pairs: 2 eps_xy, 2 eps_xz), which an isotropic law does not couple where the beam is
  * straight and its section the same all along.  Taper, curvature and pretwist couple them.
  *
+ * That is the form "continuum".  The form "structural" keeps section vectors, invariants and
+ * batches, and puts strains of another kind in the place of the Gram differences: those of a rod
+ * whose section, with the modes 1, y, z, can stretch and shear (Nachbagauer, Gruber & Gerstmayr
+ * 2013).  On the frame e_3 along d_z, e_1 normal to d_y and d_z, e_2 = e_3 x e_1 they are the
+ * changes of
+ *
+ *     e_1.r', e_2.r', e_3.r', (e_3.d_y' - e_2.d_z')/2, e_1.d_z', -e_1.d_y'    the normal block,
+ *     d_y.d_y/2, d_z.d_z/2, d_y.d_z                                            the shear block,
+ *
+ * and the energy is no polynomial of q.
+ *
  * Differences are formed from displacements u = q - q0, not from positions, so that a small strain
  * keeps its digits and a beam far from the origin loses none.
  *
@@ -34,7 +45,7 @@
 #include <stddef.h>
 
 /* Raised whenever anything below changes its meaning; generated files check it. */
-#define HOBE_KERNEL_ABI 2
+#define HOBE_KERNEL_ABI 3
 
 enum {
     HOBE_LANES = 8,         /* elements in a batch */
@@ -91,6 +102,10 @@ struct hobe_law {
 struct hobe_station {
     struct hobe_section_rule rule;                    /* integrates over the section */
     struct hobe_section_rule mean_normal, mean_shear; /* mean the strains of the mean law */
+    /* For the form "structural", which cannot know them from a rule: Saint-Venant's torsion
+     * constant, m^4, such that G J is the torsional stiffness with the G of region 0; and the shear
+     * centre y, z, m, from the centroid. */
+    double J, shear_centre[2];
 };
 
 /* All integrals of an element's energy that do not depend on its state.  The arrays belong to the
@@ -121,16 +136,20 @@ struct hobe_kernel {
     const char *name;          /* "MGD30w" */
     const char *hash;          /* of the declaration */
     const char *source;        /* where the element was published */
-    const char *mechanics;     /* default elastic law: "average", "axis" or "full" */
+    const char *mechanics;     /* default elastic law: "average", "axis" or "full"; or "structural",
+                                  the law of that form, which takes no other */
     int nodes, vectors, modes; /* sizes; 3 * vectors degrees of freedom */
     int functions;             /* section functions among the modes */
     int stations;              /* Gauss points on the axis that integrate the energy exactly */
     int degree;                /* of the section polynomials; the energy has 4 * degree */
-    int normals, shears;       /* sizes of the Gram blocks: M^2 and M(M-1) */
+    int normals, shears;       /* sizes of the blocks: M^2 and M(M-1); structural: 6 and 3 */
     long flops_force,
         flops_tangent;  /* per element and call, counted by the generator, at `stations` */
     size_t scratch;     /* hobe_lanes the caller provides to force and tangent */
     const double *node; /* [nodes]     node positions xi */
+    const double (*axis_rule)[2]; /* [stations] positions and weights on [0,1] that the element's
+                                     strains are made for; NULL: Gauss-Legendre, `stations` or more
+                                     points */
     const struct hobe_vector *vector; /* [vectors]  in the order of the degrees of freedom */
     const char *const *mode;          /* [modes]    names: "1", "y", "z", "w", "yy", ... */
     const char *const *function;      /* [functions] names of the section functions, "w" first */
@@ -145,7 +164,7 @@ struct hobe_kernel {
 
     /* Fills inv (arrays owned by the caller, sizes as above) from the law and `sections` of the
      * axis: 1 for all stations, or one for each.  inv->length and inv->stations are set by the
-     * caller; gauss[stations][2] holds positions and weights on [0,1].
+     * caller; gauss[stations][2] holds positions and weights on [0,1], those of axis_rule if any.
      * q0: reference nodal vectors [vectors][3] of a curved, pretwisted or tapered element, whose
      * strains are taken through J0 = dr0/d(x,y,z) (eq. 22); inv then has a block for each station,
      * with Qc, and the mass matrix is summed over the stations.  NULL: straight and prismatic; inv
@@ -172,7 +191,8 @@ struct hobe_kernel {
 
     /* The cubic force in multilinear form: f = T(a; b, c), linear in each and symmetric in b, c,
      * so that force(q) = T(q; q, q) - T(q; q0, q0).  Path series and reduced models start here.
-     * Arguments as in force, absolute positions up to a common translation of each. */
+     * Arguments as in force, absolute positions up to a common translation of each.  NULL where the
+     * energy is not quartic ("structural"). */
     void (*trilinear)(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
                       const hobe_lanes *c, hobe_lanes *f, hobe_lanes *scratch);
 
@@ -200,5 +220,13 @@ typedef double hobe_real __attribute__((vector_size(4 * sizeof(double)), may_ali
 typedef double hobe_real __attribute__((vector_size(2 * sizeof(double)), may_alias));
 #endif
 enum { HOBE_PARTS = sizeof(hobe_lanes) / sizeof(hobe_real) };
+
+/* The square roots of the lanes: one instruction, once the compiler need not set errno. */
+static inline hobe_real hobe_root(hobe_real x)
+{
+    for (size_t i = 0; i < sizeof x / sizeof x[0]; i++)
+        x[i] = __builtin_sqrt(x[i]);
+    return x;
+}
 
 #endif

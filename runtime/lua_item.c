@@ -95,12 +95,14 @@ static const struct hobe_lua_key beam_keys[] = {
     BEAM(up, KEY_VECTOR,
          .doc = "where the section's z axis points to, made normal to the beam; global Z where "
                 "left out, or global -X for a beam along Z"),
-    KEY(struct beam, mechanics, KEY_CHOICE, .choices = "average|axis|full",
-        .doc = "where Poisson's coupling acts: on the strain averaged over the section, on the "
-               "axis (the paper), everywhere; the element's own choice where left out"),
+    KEY(struct beam, mechanics, KEY_CHOICE, .choices = "average|axis|full|structural",
+        .doc =
+            "where Poisson's coupling acts: on the strain averaged over the section, on the "
+            "axis (the paper), everywhere (full); nowhere in the law of a rod, structural, which "
+            "3333s has and no other.  The element's own choice where left out"),
     KEY(struct beam, integration, KEY_CHOICE, .choices = "exact|paper", .word = "exact",
         .doc = "exact, or 3 x 3 x 3 Gauss points and one term of the warping "
-               "series as in the paper"),
+               "series as in the paper; not for 3333s"),
     {0}};
 
 static const struct hobe_lua_schema beam_schema = {"beam", beam_keys};

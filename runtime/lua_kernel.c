@@ -165,7 +165,7 @@ static const struct hobe_lua_key keys[] = {
            .doc = "a table {E =, nu =, rho =, k2 =, k3 =, k =}"),
     KEY_AS("length", struct options, element.length, KEY_NUMBER, REQUIRED, KEY_ABOVE(0),
            .unit = "m", .doc = "its length"),
-    KEY(struct options, mechanics, KEY_CHOICE, .choices = "average|axis|full",
+    KEY(struct options, mechanics, KEY_CHOICE, .choices = "average|axis|full|structural",
         .doc = "as of a beam"),
     KEY(struct options, integration, KEY_CHOICE, .choices = "exact|paper", .word = "exact",
         .doc = "as of a beam"),

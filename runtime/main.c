@@ -289,7 +289,7 @@ static int explain_element(const char *name)
         return complain(err.message, 1);
     hobe_text_add(&text, "%s (%s)\nmodes of the section: ", k->name, k->source);
     join_modes(&text, k);
-    hobe_text_add(&text, "\ndefault mechanics: %s\nGauss points on the axis: %d\n", k->mechanics,
+    hobe_text_add(&text, "\ndefault mechanics: %s\npoints on the axis: %d\n", k->mechanics,
                   k->stations);
     hobe_text_add(&text, "flops, force: %ld\nflops, force and tangent: %ld\ndeclaration: %s\n",
                   k->flops_force, k->flops_tangent, k->hash);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const names[] = {"default", "average", "axis", "full"};
+static const char *const names[] = {"default", "average", "axis", "full", "structural"};
 
 const char *hobe_mechanics_name(enum hobe_mechanics mechanics)
 {
@@ -13,7 +13,7 @@ const char *hobe_mechanics_name(enum hobe_mechanics mechanics)
 
 enum hobe_mechanics hobe_mechanics_find(const char *name)
 {
-    for (int m = HOBE_MECHANICS_AVERAGE; m <= HOBE_MECHANICS_FULL; m++)
+    for (int m = HOBE_MECHANICS_AVERAGE; m <= HOBE_MECHANICS_STRUCTURAL; m++)
         if (strcmp(names[m], name) == 0)
             return (enum hobe_mechanics)m;
     return HOBE_MECHANICS_DEFAULT;
@@ -43,6 +43,7 @@ void hobe_material_law(const struct hobe_material *m, enum hobe_mechanics mechan
     const double G = m->E / (2 * (1 + m->nu));
     const double lambda = m->E * m->nu / ((1 + m->nu) * (1 - 2 * m->nu));
     const int full = mechanics == HOBE_MECHANICS_FULL;
+    const int split = !full && mechanics != HOBE_MECHANICS_STRUCTURAL;
     const double k[3] = {1, m->k2, m->k3};
     *point = *mean = (struct hobe_elasticity){0};
     for (int a = 0; a < 3; a++) {
@@ -53,7 +54,7 @@ void hobe_material_law(const struct hobe_material *m, enum hobe_mechanics mechan
             const double E0 = a == b ? m->E : 0;
             const double Enu = a == b ? 2 * lambda * m->nu : lambda;
             point->normal[a][b] = full ? E0 + Enu : E0;
-            mean->normal[a][b] = full ? 0 : Enu;
+            mean->normal[a][b] = split ? Enu : 0;
         }
     }
 }

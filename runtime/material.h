@@ -8,7 +8,7 @@
 /* HOBE_BAD_INPUT with the offending value when a constant is out of its range. */
 enum hobe_status hobe_material_check(const struct hobe_material *material, struct hobe_error *err);
 
-/* The laws of a material under one of the three mechanics (not DEFAULT): at a point, and on the
+/* The laws of a material under one of the mechanics (not DEFAULT): at a point, and on the
  * mean strain. */
 void hobe_material_law(const struct hobe_material *material, enum hobe_mechanics mechanics,
                        struct hobe_elasticity *point, struct hobe_elasticity *mean);

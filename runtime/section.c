@@ -188,6 +188,17 @@ double hobe_section_G(const hobe_section *section, int region)
     return m ? m[region].E / m[0].E * (1 + m[0].nu) / (1 + m[region].nu) : 1;
 }
 
+enum hobe_status hobe_section_properties_at(const hobe_section *section,
+                                            const struct hobe_section_place *place,
+                                            struct hobe_section_properties *p,
+                                            struct hobe_error *err)
+{
+    if (section->kind->properties_at)
+        return section->kind->properties_at(section, place->at, p, err);
+    *p = section->properties;
+    return HOBE_OK;
+}
+
 /* Fields of shear on the section: a unit twist, unit shears, gradients of the functions. */
 enum { TWIST, SHEAR_Y, SHEAR_Z, GRADIENT, FIELDS = GRADIENT + HOBE_SECTION_FUNCTIONS };
 

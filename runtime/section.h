@@ -56,6 +56,12 @@ enum hobe_status hobe_section_probes_at(const hobe_section *section,
                                         const struct hobe_section_place *place, double (*probe)[2],
                                         struct hobe_error *err);
 
+/* The section's properties there. */
+enum hobe_status hobe_section_properties_at(const hobe_section *section,
+                                            const struct hobe_section_place *place,
+                                            struct hobe_section_properties *p,
+                                            struct hobe_error *err);
+
 void hobe_rule_free(struct hobe_rule *rule);
 
 /* Gauss-Legendre points and weights on [0,1]: gauss[n][2]. */
@@ -95,6 +101,9 @@ struct hobe_section_kind {
     /* Its area at a fraction of the beam's length, and its probes unless NULL. */
     enum hobe_status (*shape_at)(const hobe_section *section, double at, double *area,
                                  double (*probe)[2], struct hobe_error *err);
+    /* All its properties there. */
+    enum hobe_status (*properties_at)(const hobe_section *section, double at,
+                                      struct hobe_section_properties *p, struct hobe_error *err);
 };
 
 struct hobe_section {

@@ -166,18 +166,36 @@ static enum hobe_status functions_at(const hobe_section *section, int paper,
     return HOBE_OK;
 }
 
-static enum hobe_status shape_at(const hobe_section *section, double at, double *area,
-                                 double (*probe)[2], struct hobe_error *err)
+static hobe_section *section_at(const hobe_section *section, double at, int bare,
+                                struct hobe_error *err)
 {
     const struct taper *t = as_taper(section);
     double *n = numbers_at(t, at, err);
-    hobe_section *here = n ? make_section(t, n, 1, err) : NULL;
+    hobe_section *here = n ? make_section(t, n, bare, err) : NULL;
     hobe_free(n);
+    return here;
+}
+
+static enum hobe_status shape_at(const hobe_section *section, double at, double *area,
+                                 double (*probe)[2], struct hobe_error *err)
+{
+    hobe_section *here = section_at(section, at, 1, err);
     if (!here)
         return err ? err->status : HOBE_NO_MEMORY;
     *area = here->properties.A;
     if (probe)
         memcpy(probe, here->probe, sizeof here->probe);
+    hobe_section_free(here);
+    return HOBE_OK;
+}
+
+static enum hobe_status properties_at(const hobe_section *section, double at,
+                                      struct hobe_section_properties *p, struct hobe_error *err)
+{
+    hobe_section *here = section_at(section, at, 0, err);
+    if (!here)
+        return err ? err->status : HOBE_NO_MEMORY;
+    *p = here->properties;
     hobe_section_free(here);
     return HOBE_OK;
 }
@@ -190,7 +208,12 @@ static void close_taper(hobe_section *section)
 }
 
 static const struct hobe_section_kind taper_kind = {
-    .close = close_taper, .rule_at = rule_at, .functions_at = functions_at, .shape_at = shape_at};
+    .close = close_taper,
+    .rule_at = rule_at,
+    .functions_at = functions_at,
+    .shape_at = shape_at,
+    .properties_at = properties_at,
+};
 
 /* ---- making one ----------------------------------------------------------------------------- */
 

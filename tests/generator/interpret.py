@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the generator's loop nests in exact arithmetic and counts what is executed.
+"""Runs the generator's loop nests in exact arithmetic (but for square roots) and counts what is
+executed.
 
 A lane is a number that counts each operation on it; indices and the doubles that all lanes share
 are plain numbers, which do not count.  Local arrays start empty, so that reading what was never
 written fails.
 """
 
+import math
 import operator
 import re
 from fractions import Fraction
@@ -32,6 +34,7 @@ class Lane:
     __add__ = __radd__ = _counted(operator.add)
     __mul__ = __rmul__ = _counted(operator.mul)
     __sub__ = _counted(operator.sub)
+    __truediv__ = _counted(operator.truediv)
 
 
 class Pointer:
@@ -63,7 +66,7 @@ class Machine:
     def __init__(self, functions, tables):
         self.names = {
             **tables, "zero": Lane(0), "HOBE_PARTS": 1, "hobe_pair": pair, "empty": empty,
-            "Fraction": Fraction, "array": lambda *values: Pointer(list(values)),
+            "Fraction": Fraction, "hobe_root": root, "array": lambda *values: Pointer(list(values)),
             "symmetric": lambda i, j: pair(max(i, j), min(i, j)),
         }
         for function in functions:
@@ -74,6 +77,11 @@ class Machine:
         before = Lane.operations
         self.names[name](*arguments)
         return Lane.operations - before
+
+
+def root(lane):
+    Lane.operations += 1
+    return Lane(math.sqrt(lane.value))
 
 
 def empty(size):

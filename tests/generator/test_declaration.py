@@ -60,6 +60,11 @@ REFUSED = {
     "nodes up to 2": (SMALL.replace('"1"]', '"2"]', 1), "nodes", "['0', '2']", "from 0 to 1"),
     "unknown mechanics": ('mechanics = "mean"\n' + SMALL, "mechanics", "'mean'",
                           "one of average, axis, full"),
+    "unknown form": ('form = "rod"\n' + SMALL, "form", "'rod'", "one of continuum, structural"),
+    "law of the structural form": ('form = "structural"\nmechanics = "axis"\n' + SMALL, "mechanics",
+                                   "'axis'", "a law of its own"),
+    "modes of the structural form": ('form = "structural"\n' + more('modes = ["w"]\nlike = "y"'),
+                                     "modes", "['1', 'y', 'z', 'w']", "1, y, z only"),
     "extends an unknown element": ('name = "T"\nextends = "BE25"\n', "extends", "'BE25'",
                                    "no such element"),
     "extends a list": ('name = "T"\nextends = ["BE24"]\n', "extends", "['BE24']",
@@ -232,6 +237,15 @@ class Meaning(Case):
         self.assertEqual([i.modes[3:] for i in item], [(), ("w",), ("w",)])
         self.assertEqual([i.mechanics for i in item], ["axis", "axis", "full"])
         self.assertEqual(item[1].functions, ("w",))
+
+    def test_form(self):
+        item = self.read('mechanics = "axis"\n' + SMALL,
+                         'name = "U"\nextends = "T"\nform = "structural"\n',
+                         'name = "V"\nextends = "U"\n',
+                         'name = "W"\nextends = "V"\nform = "continuum"\n')
+        self.assertEqual([(i.form, i.mechanics) for i in item],
+                         [("continuum", "axis"), ("structural", "structural"),
+                          ("structural", "structural"), ("continuum", "axis")])
 
     def test_base_declared_later(self):
         self.assertEqual(self.read('name = "U"\nextends = "T"\n', SMALL)[0].modes, ("1", "y", "z"))

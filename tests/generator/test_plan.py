@@ -7,7 +7,7 @@ from fractions import Fraction
 from random import Random
 
 from declare import HEAD, PLANE, Case, c_text, shipped
-from generator import plan
+from generator import plan, structural
 from generator.ir import Counter, Do, For, Function, If, Let, Note, loop, operations
 from interpret import Machine, Pointer, empty, lanes, structure, values
 
@@ -21,7 +21,8 @@ class Small(unittest.TestCase):
         for text, count in (("a[i] = zero;", 0), ("a[i * n + 1] += b * c[2 * j - 1];", 2),
                             ("a = b - c / d;", 2), ("a[k[i + 1] * 2] = b[i] + c;", 1),
                             ("sum += half * w;", 2),
-                            ("a = f(b + 3 * i) * g(c, h(d - 1));", 1)):
+                            ("a = f(b + 3 * i) * g(c, h(d - 1));", 1),
+                            ("a = b * hobe_root(c[2 * i]);", 2)):
             with self.subTest(text):
                 self.assertEqual(operations(text), count)
 
@@ -68,7 +69,7 @@ class State:
         self.vectors = element.declaration.vectors
         v, normals, shears = (self.size[k] for k in ("V", "NN", "NS"))
         self.position = [int(vector.mode == 0 and not vector.slope) for vector in self.vectors]
-        self.machine = Machine(plan.functions(), {
+        self.machine = Machine(plan.functions(element.declaration.form), {
             **self.size, "mode": [vector.mode for vector in self.vectors],
             "position": self.position})
 
@@ -241,12 +242,29 @@ class Counted(Case):
 
     def test_shipped(self):
         elements = shipped()
-        for name in ("BE24", "3333", "MGD30w"):
+        for name in ("BE24", "3333", "3333s", "MGD30w"):
             with self.subTest(name):
                 self.check(elements[name])
 
     def test_new(self):
         self.check(self.element(HEAD + PLANE + '[[field]]\nmodes = ["w", "yz"]\nlike = "y"\n'))
+
+
+class AxisRule(unittest.TestCase):
+    """The structural form's points: Gauss' and Lobatto's rule, and what the two make of a mass."""
+
+    def test_degrees(self):
+        for p in range(1, 6):
+            rule = structural.axis_rule(p)
+            gauss, lobatto = rule[:p], rule[p:]
+            both = [(x, w * (p + 1) / (2 * p + 1)) for x, w in gauss]
+            both += [(x, w * p / (2 * p + 1)) for x, w in lobatto]
+            self.assertEqual([len(gauss), len(lobatto)], [p, p + 1])
+            self.assertEqual([lobatto[0][0], lobatto[-1][0]], [0, 1])
+            for points, degree in (gauss, 2 * p - 1), (lobatto, 2 * p - 1), (both, 2 * p + 1):
+                for n in range(degree + 2):
+                    error = abs(sum(w * x**n for x, w in points) - 1 / (n + 1))
+                    self.assertEqual(error < 1e-15, n <= degree, (p, degree, n))  # round-off
 
 
 if __name__ == "__main__":

@@ -31,6 +31,7 @@ EXPECTED = {
     "B4": (HERMITE, LAGRANGE_2, [f"{END}{QUADRATIC} {CUBIC} {QUARTIC}"] * 2, 32),
     "MGD30": (HERMITE, LAGRANGE_3, [END, MIDDLE, END], 10),
     "3333": (LAGRANGE_3, LAGRANGE_3, ["1 y z"] * 3, 9),
+    "3333s": (LAGRANGE_3, LAGRANGE_3, ["1 y z"] * 3, 9),
     "3363": (LAGRANGE_3, LAGRANGE_3, ["1 y z " + QUADRATIC] * 3, 18),
     "3433": (LAGRANGE_4, LAGRANGE_4, ["1 y z"] * 4, 12),
     "34X3": (LAGRANGE_4, LAGRANGE_4, [f"1 y z {QUADRATIC} {CUBIC}"] * 4, 40),

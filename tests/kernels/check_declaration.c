@@ -41,8 +41,12 @@ void check_declaration(const struct fixture *fx)
     const char *law = k->mechanics;
     CHECK(k->abi == HOBE_KERNEL_ABI, k->name);
     CHECK(k->hash && *k->hash && k->source && *k->source, k->name);
-    CHECK(!strcmp(law, "average") || !strcmp(law, "axis") || !strcmp(law, "full"), k->name);
-    CHECK(k->normals == M * M && k->shears == M * (M - 1), k->name);
+    CHECK(!strcmp(law, "average") || !strcmp(law, "axis") || !strcmp(law, "full") || fx->structural,
+          k->name);
+    CHECK(k->normals == (fx->structural ? 6 : M * M), k->name);
+    CHECK(k->shears == (fx->structural ? 3 : M * (M - 1)), k->name);
+    CHECK((k->axis_rule != NULL) == fx->structural, k->name);
+    CHECK((k->trilinear == NULL) == fx->structural, k->name);
     CHECK(k->flops_force > 0 && k->flops_tangent > k->flops_force, k->name);
     CHECK(!strcmp(k->mode[0], "1"), k->name);
     CHECK(k->functions == 0 || !strcmp(k->function[0], "w"), k->name);
@@ -263,6 +267,28 @@ static void check_translation(const struct fixture *fx, const real *X)
     free(one);
 }
 
+/* A straight reference given as if it were curved has the same mass, from the points of the axis;
+ * entry by entry as below. */
+static void check_mass_of_stations(const struct fixture *fx)
+{
+    const int n = fx->kernel->vectors;
+    struct fixture varying = *fx;
+    struct hobe_invariants inv;
+    real error = 0;
+    varying.curved = grab((size_t)fx->dofs, sizeof *varying.curved);
+    reference(fx, varying.curved);
+    make_invariants(&varying, fx->kernel->stations, fx->kernel->stations, &inv);
+    for (int v = 0; v < n; v++)
+        for (int w = 0; w < n; w++) {
+            const double *m = fx->inv.mass;
+            const real size = sqrtl((real)m[v * n + v] * m[w * n + w]);
+            error = fmaxl(error, fabsl((real)inv.mass[v * n + w] - m[v * n + w]) / size);
+        }
+    check("mass: summed over stations", fx->kernel->name, error, 1e-13L);
+    free_invariants(&inv);
+    free(varying.curved);
+}
+
 /* Entry by entry relative to the diagonal, |m_vw| <= sqrt(m_vv m_ww): round-off of a quadrature. */
 void check_mass(const struct fixture *fx)
 {
@@ -274,6 +300,7 @@ void check_mass(const struct fixture *fx)
     if (!fx->curved) {
         check_translation(fx, X);
         check_rotation(fx, X);
+        check_mass_of_stations(fx);
     }
     free(X);
     if (fx->known)

@@ -31,7 +31,10 @@ static struct pw_beam make_beam(const struct pw_element *element, enum pw_mechan
                             .k3 = 0.7L,
                             .mechanics = mechanics,
                             .warping = warping,
-                            .warping_degree = 3};
+                            .warping_degree = 3,
+                            .J = 2e-7L,
+                            .ys = 0.005L,
+                            .zs = -0.002L};
 }
 
 /* The size of a component that strains the section by about 1. */
@@ -91,6 +94,18 @@ static void stretch(const struct pw_beam *beam)
           fabsl(creall(pw_energy(beam, q)) / exact - 1), tolerance);
 }
 
+/* The same of the rod: U = E V (Gamma_1^2 + E_yy^2 + E_zz^2)/2, Gamma_1 = 0.2. */
+static void rod_stretch(const struct pw_beam *beam)
+{
+    const real F[9] = {1.2L, 0, 0, 0, 0.9L, 0, 0, 0, 1.1L};
+    const real V = beam->width * beam->height * beam->length;
+    const real exact = beam->E * V * (0.2L * 0.2L + 0.095L * 0.095L + 0.105L * 0.105L) / 2;
+    number q[PW_DOFS];
+    homogeneous(beam, F, 0, q);
+    check("evaluator: energy of a rod's uniform stretch", beam->element.name,
+          fabsl(creall(pw_energy(beam, q)) / exact - 1), tolerance);
+}
+
 /* Force = dU/dq and tangent = df/dq along a random direction, tangent symmetric, and Gauss points
  * beyond the exact number change nothing. */
 static void derivatives(const struct pw_beam *beam)
@@ -128,6 +143,8 @@ static void derivatives(const struct pw_beam *beam)
           fabsl(cimagl(pw_energy(beam, step)) / h - work) / sum, tolerance);
     check("evaluator: tangent is the gradient of the force", name, error / norm, tolerance);
     check("evaluator: tangent is symmetric", name, skew / norm, tolerance);
+    if (beam->element.structural)
+        return; /* its points are part of what it is */
     struct pw_beam finer = *beam;
     finer.extra = 1;
     check("evaluator: its Gauss rules are exact", name,
@@ -139,8 +156,12 @@ void check_evaluator(const struct pw_element *element)
     tolerance = 1e4L * pw_epsilon();
     for (int law = 0; law < PW_LAWS; law++) {
         struct pw_beam beam = make_beam(element, (enum pw_mechanics)law);
+        if (!pw_goes_with(beam.mechanics, element->structural))
+            continue;
         rigid(&beam);
         derivatives(&beam);
+        if (law == PW_STRUCTURAL)
+            rod_stretch(&beam);
         if (law == PW_FULL || law == PW_AVERAGE || law == PW_AXIS)
             stretch(&beam);
     }

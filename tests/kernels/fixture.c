@@ -9,7 +9,8 @@
 
 enum { FUNCTION_DEGREE = 3 }; /* of test_functions, in y and in z */
 
-static const char *const law_name[PW_LAWS] = {"axis", "average", "full", "mean shear"};
+static const char *const law_name[PW_LAWS] = {"axis", "average", "full", "mean shear",
+                                              "structural"};
 
 void *grab(size_t count, size_t size)
 {
@@ -130,13 +131,14 @@ static void set_law(struct fixture *fx)
     const double k2 = (double)fx->beam.k2, k3 = (double)fx->beam.k3;
     const double lambda = 2 * G * nu / (1 - 2 * nu);
     const int full = fx->beam.mechanics == PW_FULL, mean = fx->beam.mechanics == PW_MEAN_SHEAR;
+    const int split = !full && fx->beam.mechanics != PW_STRUCTURAL;
     struct hobe_elasticity *law = &fx->law;
     memset(&fx->mean_law, 0, sizeof fx->mean_law);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double solid = lambda + (i == j ? 2 * G : 0), rod = i == j ? E : 0;
             law->normal[i][j] = full ? solid : rod;
-            fx->mean_law.normal[i][j] = full ? 0 : solid - rod;
+            fx->mean_law.normal[i][j] = split ? solid - rod : 0;
         }
     const double shear[3] = {G, mean ? G : k2 * G, mean ? G : k3 * G};
     const double mean_shear[3] = {0, mean ? (k2 - 1) * G : 0, mean ? (k3 - 1) * G : 0};
@@ -167,8 +169,16 @@ static struct hobe_section_rule rule_at(const struct fixture *fx,
 static void fill(const struct fixture *fx, const double (*gauss)[2], struct hobe_invariants *inv)
 {
     const struct hobe_law law = {1, &fx->law, &fx->density, fx->mean_law};
-    struct hobe_station station[PW_GAUSS] = {{fx->rule, fx->mean, fx->mean}};
+    struct hobe_station station[PW_GAUSS];
     double q0[PW_DOFS];
+    for (int s = 0; s < PW_GAUSS; s++)
+        station[s] = (struct hobe_station){
+            fx->rule,
+            fx->mean,
+            fx->mean,
+            (double)fx->beam.J,
+            {(double)fx->beam.ys, (double)fx->beam.zs},
+        };
     if (!fx->curved) {
         fx->kernel->invariants(inv, gauss, 1, station, &law, NULL);
         return;
@@ -208,8 +218,8 @@ void make_invariants(const struct fixture *fx, int stations, int blocks,
     inv->mass = grab((size_t)(k->vectors * k->vectors), sizeof(double));
     pw_gauss(stations, x, w);
     for (int s = 0; s < stations; s++) {
-        gauss[s][0] = (double)x[s];
-        gauss[s][1] = (double)w[s];
+        gauss[s][0] = k->axis_rule ? k->axis_rule[s][0] : (double)x[s];
+        gauss[s][1] = k->axis_rule ? k->axis_rule[s][1] : (double)w[s];
     }
     fill(fx, (const double(*)[2])gauss, inv);
     for (int s = 1; !fx->curved && s < blocks; s++) {
@@ -275,6 +285,7 @@ static void open_fixture(struct fixture *fx, const struct hobe_kernel *kernel,
     memset(fx, 0, sizeof *fx);
     fx->kernel = kernel;
     fx->dofs = 3 * kernel->vectors;
+    fx->structural = !strcmp(kernel->mechanics, "structural");
     fx->known = pw_find(kernel->name, &fx->beam.element);
     fx->density = 2700;
     fx->beam.length = 0.4L;
@@ -286,6 +297,9 @@ static void open_fixture(struct fixture *fx, const struct hobe_kernel *kernel,
     fx->beam.nu = 0.3L;
     fx->beam.k2 = 0.85L;
     fx->beam.k3 = 0.7L;
+    fx->beam.J = 3e-7L; /* near the true one; a shear centre far from the centroid */
+    fx->beam.ys = -0.006L;
+    fx->beam.zs = 0.009L;
     fx->beam.mechanics = mechanics;
     fx->beam.warping = warping;
     fx->beam.warping_degree = FUNCTION_DEGREE;

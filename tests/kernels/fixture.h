@@ -11,7 +11,7 @@
 struct fixture {
     const struct hobe_kernel *kernel;
     struct pw_beam beam; /* the same element for the evaluator; beam.element only where known */
-    int known, dofs;
+    int known, structural, dofs;
     double density;
     real *size; /* [dofs] of a nodal vector that turns or stretches the section by about 1 */
     struct hobe_section_point *point, axis;

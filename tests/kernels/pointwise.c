@@ -37,6 +37,11 @@ void pw_gauss(int n, real *x, real *weight)
     }
 }
 
+int pw_goes_with(enum pw_mechanics law, int structural)
+{
+    return (law == PW_STRUCTURAL) == structural;
+}
+
 /* ---- the law -------------------------------------------------------------------------------- */
 
 /* Voigt matrices: `volume` acts on the strain of a point, `mean` on the strain averaged over the
@@ -298,14 +303,17 @@ static number evaluate(const struct pw_beam *beam, const number *q, number *f)
 
 number pw_energy(const struct pw_beam *beam, const number *q)
 {
-    return evaluate(beam, q, NULL);
+    return beam->element.structural ? pw_rod(beam, q, NULL) : evaluate(beam, q, NULL);
 }
 
 void pw_force(const struct pw_beam *beam, const number *q, number *f)
 {
     for (int i = 0; i < 3 * beam->element.vectors; i++)
         f[i] = 0;
-    evaluate(beam, q, f);
+    if (beam->element.structural)
+        pw_rod(beam, q, f);
+    else
+        evaluate(beam, q, f);
 }
 
 /* One column of a station's tangent: the imaginary part of the force at q + ih e_column.  Only row
@@ -333,6 +341,19 @@ static void tangent_column(const struct pw_beam *beam, const struct law *law, co
         }
 }
 
+/* The same for a rod, whose force is cheap: as a whole. */
+static void rod_column(const struct pw_beam *beam, number *q, int column, real *K)
+{
+    const real h = 0x1p-100L;
+    const int dofs = 3 * beam->element.vectors;
+    number f[PW_DOFS];
+    q[column] += I * h;
+    pw_force(beam, q, f);
+    q[column] = creall(q[column]);
+    for (int i = 0; i < dofs; i++)
+        K[i * dofs + column] = cimagl(f[i]) / h;
+}
+
 void pw_tangent(const struct pw_beam *beam, const real *q, real *K)
 {
     static struct grid g;
@@ -346,7 +367,9 @@ void pw_tangent(const struct pw_beam *beam, const real *q, real *K)
         position[i] = q[i];
     for (int i = 0; i < dofs * dofs; i++)
         K[i] = 0;
-    for (int s = 0; s < g.stations; s++) {
+    for (int column = 0; beam->element.structural && column < dofs; column++)
+        rod_column(beam, position, column, K);
+    for (int s = 0; !beam->element.structural && s < g.stations; s++) {
         set_station(beam, &g, s, position, &t);
         for (int column = 0; column < dofs; column++)
             tangent_column(beam, &law, &g, &t, s, column, K);

@@ -37,6 +37,7 @@ struct pw_element {
     const char *name;
     int nodes, modes, vectors;
     int degree;                   /* of the monomial modes: the highest power of y or of z */
+    int structural;               /* a rod whose section strains, not a continuum */
     enum pw_field centre, others; /* of the mode 1, of all other modes */
     char mode[PW_MODES][8];       /* "1", "y", "z", "w", "yy", ... in the order they appear */
     struct pw_vector vector[PW_VECTORS];
@@ -55,6 +56,7 @@ enum pw_mechanics {
     PW_AVERAGE,    /* E0 in the volume, Enu on the mean strain of each section */
     PW_FULL,       /* unsplit continuum mechanics */
     PW_MEAN_SHEAR, /* as PW_AVERAGE, but k2 and k3 correct the mean shear strain only */
+    PW_STRUCTURAL, /* the law of structural elements, and theirs alone */
     PW_LAWS
 };
 
@@ -74,6 +76,7 @@ struct pw_beam {
     int extra;             /* Gauss points beyond those that integrate exactly (normally 0) */
     const real *reference; /* [3 vectors] curved, pretwisted, distorted; NULL: straight */
     real taper;            /* w grows along the element by the factor 1 + taper xi */
+    real J, ys, zs;        /* PW_STRUCTURAL: torsion constant and shear centre, any */
 };
 
 /* The relative spacing of `real` as it is computed here: 1e-19 on x86, 2e-16 on machines whose long
@@ -97,6 +100,13 @@ void pw_reference(const struct pw_beam *beam, const real *frame, real *q0);
 number pw_energy(const struct pw_beam *beam, const number *q);
 void pw_force(const struct pw_beam *beam, const number *q, number *f);
 void pw_tangent(const struct pw_beam *beam, const real *q, real *K);
+
+/* The energy of a structural element; unless f is NULL, the force is added to f.  For the functions
+ * above. */
+number pw_rod(const struct pw_beam *beam, const number *q, number *f);
+
+/* Whether a law is one of an element's. */
+int pw_goes_with(enum pw_mechanics law, int structural);
 
 /* Green-Lagrange strain at a point: xx, yy, zz, 2yz, 2xz, 2xy. */
 void pw_strain(const struct pw_beam *beam, const real *q, real xi, real y, real z, real *E);

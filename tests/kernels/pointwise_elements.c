@@ -16,7 +16,7 @@
 #define II_MODES        " w" QUADRATIC_MODES CUBIC_MODES
 
 /* Nodes lie at equal distances.  A node's vectors are named by the mode they multiply; 1' is the
- * slope r_x of the centreline. */
+ * slope r_x of the centreline.  An s in the element's name: structural mechanics. */
 static const struct row {
     const char *name;
     enum pw_field centre, others;
@@ -27,6 +27,7 @@ static const struct row {
     {"B4", PW_HERMITE, PW_LINEAR, {B4_NODE, B4_NODE}},
     {"MGD30", PW_HERMITE, PW_QUADRATIC, {HERMITE, "y z", HERMITE}},
     {"3333", PW_QUADRATIC, PW_QUADRATIC, {SLOPES, SLOPES, SLOPES}},
+    {"3333s", PW_QUADRATIC, PW_QUADRATIC, {SLOPES, SLOPES, SLOPES}},
     {"3363",
      PW_QUADRATIC,
      PW_QUADRATIC,
@@ -93,6 +94,7 @@ void pw_element(int i, struct pw_element *e)
     e->name = row->name;
     e->centre = row->centre;
     e->others = row->others;
+    e->structural = strchr(row->name, 's') != NULL;
     for (int n = 0; n < PW_NODES && row->node[n]; n++)
         add_node(e, row->node[n]);
 }

@@ -1,4 +1,4 @@
--- expect: bad/choice_mechanics\.lua:6: beam: mechanics must be one of "average", "axis", "full", got "exact"$
+-- expect: bad/choice_mechanics\.lua:6: beam: mechanics must be one of "average", "axis", "full", "structural", got "exact"$
 local hobe = require "hobe"
 local section = hobe.rectangle{ width = 0.01, height = 0.02 }
 local steel = { E = 210e9, nu = 0.3, rho = 7850 }

@@ -1,0 +1,343 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stage 4 for the form "structural": a rod whose section can stretch and shear (Nachbagauer, Gruber
+& Gerstmayr 2013), on the same shape functions.
+
+With r' = d_0', a = d_y, b = d_z the section carries a frame, the QR factors of (b, a),
+
+    e_3 = b/|b|,  e_1 = a x b/|a x b|,  e_2 = e_3 x e_1,  a = alpha e_2 + gamma e_3,  b = beta e_3,
+
+and the energy per length is a quadratic form in the changes since the reference of
+
+    Gamma_1 = e_1.r',  Gamma_2 = e_2.r',  Gamma_3 = e_3.r'                stretch, shear
+    kappa_1 = (e_3.a' - e_2.b')/2,  kappa_2 = e_1.b',  kappa_3 = -e_1.a'  torsion, bending
+    E_yy = a.a/2,  E_zz = b.b/2,  2 E_yz = a.b                            the section's own strain.
+
+The first six, the rod's strains n, are linear in the components Y_Ii = e_i.D_I of the three slopes
+D_I = r', a', b'.  A change of D turns the frame by a spin w that a and b decide; seen from the
+frame Y changes by x_I - w x Y_I, where x_I are the components of the change of D_I.  So the slopes
+take the forces P_I = (dn/dY_I)' t, t = Q n, and a and b those that balance their moment,
+
+    a x P_a + b x P_b = sum_I P_I x Y_I;
+
+the section's strains add their stresses times a and b.  For the tangent the same lines are
+differentiated, one component of D after the other: no matrix of second derivatives is written down.
+
+Points on the axis: where shape functions have degree p, p Gauss points for the rod's strains, so
+that they do not lock, and p + 1 Lobatto points for the section's, so that no motion is free.
+"""
+
+import sympy
+
+from .form import Form, axis3, filled, given, numbers, product
+from .ir import Do, Function, If, loop
+
+
+def axis_rule(degree):
+    """Positions and weights on [0, 1]: Gauss' rule, then Lobatto's, for shape functions of this
+    degree p (Lobatto: both ends and the extrema of the Legendre polynomial P_p)."""
+    x = sympy.Symbol("x")
+    legendre = sympy.legendre_poly(degree, x, polys=True)
+    slope = legendre.diff(x)
+    gauss = [(r, 2 / ((1 - r**2) * slope.eval(r)**2)) for r in _roots(legendre)]
+    lobatto = [(r, sympy.Rational(2, degree * (degree + 1)) / legendre.eval(r)**2)
+               for r in (sympy.Integer(-1), *_roots(slope), sympy.Integer(1))]
+    return [(float((1 + r) / 2), float(w / 2)) for r, w in gauss + lobatto]
+
+
+def _roots(polynomial):
+    return sorted(polynomial.nroots(n=40)) if polynomial.degree() > 0 else []
+
+
+def form():
+    rod, section = "g < ROD", "g >= ROD"
+    return Form(
+        functions=(_vector_product(), _frame(), _unit_change(), _rod_strains(), _rod_stresses(),
+                   _rod_differences(), _section_strains(), _section_stresses(), _add_moment(),
+                   _balance(), _components(), _frame_force(), _rod_force(), _spin(),
+                   _rod_stiffness(), _section_force(), _section_stiffness()),
+        arrays=(Do("hobe_real e[9], n[NN], t[NN];", free=True),),
+        law=(Do("const double *Qn = inv->Qn + inv->step_n * g;", free=True),
+             Do("const double *Qs = inv->Qs + inv->step_s * g;", free=True)),
+        state=(If(rod, (Do("rod_differences(B, U, e, n);"), *product("NN", "Qn", "n", "t"))),
+               If(section, (Do("section_strains(B, U, n);"), *product("NS", "Qs", "n", "t")))),
+        work=(If(rod, (loop("r", "NN", Do("w += n[r] * t[r];")),)),
+              If(section, (loop("r", "NS", Do("w += n[r] * t[r];")),))),
+        force=(If(rod, (Do("rod_force(t, B, e, U);"),)),
+               If(section, (Do("section_force(t, B, U);"),))),
+        stiffness=(If(rod, (Do("rod_stiffness(Qn, t, B, e, C);"),)),
+                   If(section, (Do("section_stiffness(Qs, t, B, C);"),))))
+
+
+# ---- frame and strains ---------------------------------------------------------------------------
+
+def _vector_product():
+    return Function(
+        "vector_product", (*given("a", "b"), *filled("c")), "c = a x b",
+        (Do("c[0] = a[1] * b[2] - a[2] * b[1];"),
+         Do("c[1] = a[2] * b[0] - a[0] * b[2];"),
+         Do("c[2] = a[0] * b[1] - a[1] * b[0];")), result="inline void")
+
+
+def _frame():
+    return Function(
+        "frame", (*given("a", "b"), *filled("e", "size")),
+        "The frame e_1, e_2, e_3 of a section with d_y = a, d_z = b; size = |a x b|, |b|",
+        (Do("vector_product(a, b, e);"),
+         Do("size[0] = hobe_root(dot(e, e));"),
+         Do("size[1] = hobe_root(dot(b, b));"),
+         loop("i", "3", Do("e[i] = e[i] / size[0];"), Do("e[6 + i] = b[i] / size[1];")),
+         Do("vector_product(e + 6, e, e + 3);")))
+
+
+def _unit_change():
+    return Function(
+        "unit_change", (*given("n"), "hobe_real size", *given("d"), *filled("t")),
+        "t = the change of the unit vector n of a vector size * n that changes by d, with all its\n"
+        " * digits however small d is",
+        (Do("hobe_real v[3];", free=True),
+         loop("i", "3", Do("v[i] = size * n[i] + d[i];")),
+         Do("const hobe_real now = hobe_root(dot(v, v));"),
+         Do("const hobe_real more = (dot(d, d) + 2.0 * size * dot(n, d)) / (now + size);"),
+         loop("i", "3", Do("t[i] = (d[i] - more * n[i]) / now;"))))
+
+
+def _rod_strains():
+    return Function(
+        "rod_strains", (*given("Y"), *filled("n")), "n[NN] of components Y[3][3] of r', a', b'",
+        (loop("i", "3", Do("n[i] = Y[i];")),
+         Do("n[3] = 0.5 * (Y[5] - Y[7]);"),
+         Do("n[4] = Y[6];"),
+         Do("n[5] = zero - Y[3];")))
+
+
+def _rod_stresses():
+    return Function(
+        "rod_stresses", (*given("t"), *filled("P")),
+        "P[3][3] = (dn/dY)' t, the transpose of rod_strains",
+        (loop("i", "3", Do("P[i] = t[i];")),
+         Do("P[3] = zero - t[5];"),
+         Do("P[4] = zero;"),
+         Do("P[5] = 0.5 * t[3];"),
+         Do("P[6] = t[4];"),
+         Do("P[7] = zero - P[5];"),
+         Do("P[8] = zero;")))
+
+
+def _rod_differences():
+    return Function(
+        "rod_differences", (*given("B", "U"), *filled("e", "n")),
+        "n = changes of the rod's strains, without cancellation, and the frame e after them.  A\n"
+        " * product changes by (change of one) (mean of the other) + the reverse: e_i changes by\n"
+        " * t, D by U, and B is the mean of D.",
+        (Do("hobe_real v[6], size[2], p[3], d[3], t[9], Y[9];", free=True),
+         loop("i", "6", Do("v[i] = B[9 + i] - 0.5 * U[9 + i];")),
+         Do("frame(v, v + 3, e, size);"),
+         Do("vector_product(U + 9, B + 12, p);"),
+         Do("vector_product(B + 9, U + 12, d);"),
+         loop("i", "3", Do("d[i] += p[i];")),
+         Do("unit_change(e, size[0], d, t);"),
+         Do("unit_change(e + 6, size[1], U + 12, t + 6);"),
+         loop("i", "3", Do("e[i] += 0.5 * t[i];"), Do("e[6 + i] += 0.5 * t[6 + i];")),
+         Do("vector_product(t + 6, e, t + 3);"),
+         Do("vector_product(e + 6, t, p);"),
+         loop("i", "3", Do("t[3 + i] += p[i];"), Do("e[3 + i] += 0.5 * t[3 + i];")),
+         loop("k", "3", loop("i", "3", Do(
+             "Y[3 * k + i] = dot(t + 3 * i, B + 3 * k) + dot(e + 3 * i, U + 3 * k);"))),
+         Do("rod_strains(Y, n);"),
+         loop("i", "9", Do("e[i] += 0.5 * t[i];"))))
+
+
+def _section_strains():
+    return Function(
+        "section_strains", (*given("D", "x"), *filled("s")),
+        "s[NS] = the changes of E_yy, E_zz, 2 E_yz where D, their mean, changes by x",
+        (Do("s[0] = dot(D + 9, x + 9);"),
+         Do("s[1] = dot(D + 12, x + 12);"),
+         Do("s[2] = dot(D + 9, x + 12) + dot(D + 12, x + 9);")))
+
+
+def _section_stresses():
+    return Function(
+        "section_stresses", (*given("t", "D"), *filled("P")),
+        "P_a, P_b += the stresses t[NS] times a and b",
+        (axis3("P[9 + a] += t[0] * D[9 + a] + t[2] * D[12 + a];"),
+         axis3("P[12 + a] += t[1] * D[12 + a] + t[2] * D[9 + a];")))
+
+
+# ---- the rod's part, in components on its frame --------------------------------------------------
+
+def _add_moment():
+    return Function(
+        "add_moment", (*given("P", "Y"), *filled("m")), "m += P x Y",
+        (Do("hobe_real c[3];", free=True),
+         Do("vector_product(P, Y, c);"),
+         axis3("m[a] += c[a];")))
+
+
+def _balance():
+    return Function(
+        "balance", (*given("Y", "m"), *filled("P")),
+        "The forces on a and b that turn the frame: a x P_a + b x P_b = m, on Y_a = (0, alpha,\n"
+        " * gamma) and Y_b = (0, 0, beta)",
+        (Do("P[9] = zero - m[2] / Y[10];"),
+         Do("P[10] = zero;"),
+         Do("P[11] = zero;"),
+         Do("P[12] = (m[1] - Y[11] * P[9]) / Y[14];"),
+         Do("P[13] = zero - m[0] / Y[14];"),
+         Do("P[14] = zero;")))
+
+
+def _components():
+    return Function(
+        "components", (*given("e", "D"), *filled("Y")), "Y_Ii = e_i.D_I",
+        (loop("k", "S", loop("i", "3", Do("Y[3 * k + i] = dot(e + 3 * i, D + 3 * k);"))),))
+
+
+MOMENT = Do("hobe_real m[3] = {zero, zero, zero};", free=True)
+
+
+def _frame_force():
+    return Function(
+        "frame_force", (*given("t", "Y"), *filled("P")),
+        "The components of P_I = dW/dD_I of the rod's strains",
+        (MOMENT,
+         Do("rod_stresses(t, P);"),
+         loop("k", "M", Do("add_moment(P + 3 * k, Y + 3 * k, m);")),
+         Do("balance(Y, m, P);")))
+
+
+def _rod_force():
+    return Function(
+        "rod_force", (*given("t", "D", "e"), *filled("P")), "P_I = dW/dD_I of the rod's strains",
+        (Do("hobe_real Y[3 * S], F[3 * S];", free=True),
+         Do("components(e, D, Y);"),
+         Do("frame_force(t, Y, F);"),
+         loop("k", "S", axis3(
+             "P[3 * k + a] = e[a] * F[3 * k] + e[3 + a] * F[3 * k + 1] + e[6 + a] * F[3 * k + 2];"
+         ))))
+
+
+def _spin():
+    return Function(
+        "spin", (*given("Y"), *filled("x", "w")),
+        "The spin w of the frame where D changes by x, and x turned into the change of Y",
+        (Do("hobe_real c[3];", free=True),
+         Do("w[0] = zero - x[13] / Y[14];"),
+         Do("w[1] = x[12] / Y[14];"),
+         Do("w[2] = (w[1] * Y[11] - x[9]) / Y[10];"),
+         loop("k", "S",
+              Do("vector_product(w, Y + 3 * k, c);"),
+              axis3("x[3 * k + a] -= c[a];"))))
+
+
+def _rod_stiffness():
+    return Function(
+        "rod_stiffness", (*numbers("Q"), *given("t", "D", "e"), *filled("C")),
+        "C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force\n"
+        " * with component b of D_J",
+        (Do("hobe_real Y[3 * S], F[3 * S], x[3 * S], P[3 * S], w[3], n[NN], s[NN], f[3];",
+            free=True),
+         Do("components(e, D, Y);"),
+         Do("frame_force(t, Y, F);"),
+         loop(
+             "j", "S", loop(
+                 "b", "3",
+                 MOMENT,
+                 loop("i", "3 * S", Do("x[i] = zero;")),
+                 loop("i", "3", Do("x[3 * j + i] = e[3 * i + b];")),
+                 Do("spin(Y, x, w);"),
+                 Do("rod_strains(x, n);"),
+                 *product("NN", "Q", "n", "s"),
+                 Do("rod_stresses(s, P);"),
+                 loop("k", "M", Do("add_moment(P + 3 * k, Y + 3 * k, m);")),
+                 loop("k", "S", Do("add_moment(F + 3 * k, x + 3 * k, m);")),
+                 Do("balance(Y, m, P);"),
+                 loop("k", "S",
+                      Do("vector_product(w, F + 3 * k, f);"),
+                      axis3("f[a] += P[3 * k + a];"),
+                      Do("hobe_real *c_ab = C + 9 * (k * S + j) + b;", free=True),
+                      axis3("c_ab[3 * a] = e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];"))))))
+
+
+# ---- the section's part --------------------------------------------------------------------------
+
+def _section_force():
+    return Function(
+        "section_force", (*given("t", "D"), *filled("P")),
+        "P_I = dW/dD_I of the section's strains",
+        (loop("i", "3 * S", Do("P[i] = zero;")),
+         Do("section_stresses(t, D, P);")))
+
+
+def _section_stiffness():
+    return Function(
+        "section_stiffness", (*numbers("Q"), *given("t", "D"), *filled("C")),
+        "C_IJ = d2W/dD_I dD_J of the section's strains, column by column",
+        (Do("hobe_real x[3 * S], P[3 * S], n[NS], s[NS];", free=True),
+         loop("i", "9 * S * S", Do("C[i] = zero;")),
+         loop(
+             "j", "S", If("j >= M", (loop(
+                 "b", "3",
+                 loop("i", "3 * S", Do("x[i] = zero;"), Do("P[i] = zero;")),
+                 Do("x[3 * j + b] += 1.0;"),
+                 Do("section_strains(D, x, n);"),
+                 *product("NS", "Q", "n", "s"),
+                 Do("section_stresses(s, D, P);"),
+                 Do("section_stresses(t, x, P);"),
+                 loop("k", "S", axis3("C[9 * (k * S + j) + 3 * a + b] = P[3 * k + a];"))),)))))
+
+
+# ---- the section's law ---------------------------------------------------------------------------
+
+LAW = """\
+/* Q += stiffness e e' over the rod's strains, both triangles. */
+static void add_strain(double *Q, const double e[NN], double stiffness)
+{
+    for (int r = 0; r < NN; r++)
+        for (int c = 0; c < NN; c++)
+            Q[r * NN + c] += stiffness * e[r] * e[c];
+}
+
+/* Q of the rod's and of the section's strains, and moment_kl = int density phi_k phi_l dA.  Of the
+ * law at a point: E = normal_00 (no Poisson coupling) and the shear moduli; shear forces act in the
+ * shear centre, and torsion has Saint-Venant's constant.  D0: section vectors of the reference,
+ * whose strains are meant per length of arc, |d_0'| dx; or NULL, straight. */
+static void section_law(const struct blocks *to, const struct hobe_station *station,
+                        const struct hobe_law *law, const double (*D0)[3], double moment[M][M])
+{
+    const double arc = D0 ? __builtin_sqrt(product(D0[0], D0[0])) : 1.0;
+    const double ys = station->shear_centre[0], zs = station->shear_centre[1];
+    double area = 0.0, shear[3] = {0}, phi[M][4], g[3][S];
+    clear(to->Qn, NN * NN);
+    clear(to->Qs, NS * NS);
+    clear(moment[0], M * M);
+    for (int p = 0; p < station->rule.points; p++) {
+        const struct hobe_section_point *at = station->rule.point + p;
+        const struct hobe_elasticity *C = law->region + at->region;
+        const double e[NN] = {1.0, 0.0, 0.0, 0.0, at->z, -at->y}, weight = at->weight;
+        add_strain(to->Qn, e, weight * C->normal[0][0] / arc);
+        for (int i = 0; i < 3; i++)
+            shear[i] += weight * C->shear[i];
+        to->Qs[0] += arc * weight * C->normal[1][1];
+        to->Qs[NS + 1] += arc * weight * C->normal[2][2];
+        area += weight;
+        const double mass = weight * point_rows(at, D0, phi, g) * law->density[at->region];
+        for (int k = 0; k < M; k++)
+            for (int l = 0; l < M; l++)
+                moment[k][l] += mass * phi[k][0] * phi[l][0];
+    }
+    const double xy[NN] = {0.0, 1.0, 0.0, -zs, 0.0, 0.0}, xz[NN] = {0.0, 0.0, 1.0, ys, 0.0, 0.0};
+    const double twist[NN] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+    add_strain(to->Qn, xy, (shear[2] + area * law->mean.shear[2]) / arc);
+    add_strain(to->Qn, xz, (shear[1] + area * law->mean.shear[1]) / arc);
+    add_strain(to->Qn, twist, law->region[0].shear[0] * station->J / arc);
+    to->Qs[2 * NS + 2] = arc * shear[0];
+}
+
+/* p parts of Gauss' and Lobatto's rules out of 2p + 1, and one more of Gauss': exact for degree
+ * 2p + 1. */
+static double mass_weight(const struct hobe_invariants *inv, int g)
+{
+    return inv->wx[g] * (g < ROD ? ROD + 1 : ROD) / (2 * ROD + 1);
+}
+"""
