@@ -408,6 +408,12 @@ hobe_element *hobe_element_new(const struct hobe_element_options *options, struc
     }
     if (hobe_material_check(&options->material, err))
         return NULL;
+    if (hobe_section_regions(options->section) > 1) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                  "beams have one material still, the section has %d regions of their own",
+                  hobe_section_regions(options->section));
+        return NULL;
+    }
     if (options->kernel->vectors > HOBE_MAX_VECTORS) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL, "element %s has %d vectors, at most %d are possible",
                   options->kernel->name, options->kernel->vectors, HOBE_MAX_VECTORS);

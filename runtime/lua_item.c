@@ -65,6 +65,11 @@ static const struct hobe_lua_key material_keys[] = {
 
 const struct hobe_lua_schema hobe_lua_material_schema = {"material", material_keys};
 
+void hobe_lua_finish_material(struct hobe_material *material)
+{
+    material->average_shear = material->average_shear == 2;
+}
+
 struct beam {
     struct hobe_beam beam;
     const char *element;
@@ -144,7 +149,7 @@ static int beam(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &beam_schema, &read);
     read.beam.kernel = hobe_lua_find_kernel(L, read.element);
-    read.beam.material.average_shear = read.beam.material.average_shear == 2;
+    hobe_lua_finish_material(&read.beam.material);
     read.beam.mechanics = (enum hobe_mechanics)read.mechanics;
     read.beam.integration = read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
     push_axis(L, &read.beam);

@@ -214,7 +214,7 @@ static int kernel(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &schema, &read);
     read.element.kernel = hobe_lua_find_kernel(L, read.name);
-    read.element.material.average_shear = read.element.material.average_shear == 2;
+    hobe_lua_finish_material(&read.element.material);
     read.element.mechanics = (enum hobe_mechanics)read.mechanics;
     read.element.integration =
         read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
