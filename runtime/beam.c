@@ -280,6 +280,9 @@ enum hobe_status beam_open(struct beam *beam,
     if (!beam->name)
         return HOBE_NO_MEMORY;
     beam->spec.name = memcpy(beam->name, beam->spec.name, size);
+    const struct hobe_material *own = hobe_section_material(beam->spec.section, 0);
+    if (own)
+        beam->spec.material = *own; /* what is asked of a beam's material is asked of the first */
     beam->kernel = beam->spec.kernel;
     beam->step = hobe_kernel_step(beam->kernel);
     enum hobe_status status = beam->spec.curve ? curved_axis(beam, err) : straight_axis(beam, err);

@@ -225,21 +225,51 @@ static void set_reference(hobe_element *element, const double *q0)
         hobe_element_reference(element, identity, element->q0);
 }
 
+/* The laws of the section's regions, or of the beam's material where it has none of its own. */
+struct laws {
+    struct hobe_elasticity region[HOBE_MAX_REGIONS];
+    double density[HOBE_MAX_REGIONS];
+    struct hobe_law law;
+};
+
+/* The strain of the mean law is that of the whole section, whose law is the mean by area. */
+static void set_laws(struct laws *laws, const struct hobe_element_options *options,
+                     enum hobe_mechanics mechanics, const struct hobe_section_rule *rule)
+{
+    double area[HOBE_MAX_REGIONS] = {0}, total = 0;
+    laws->law = (struct hobe_law){
+        hobe_section_regions(options->section), laws->region, laws->density, {{{0}}, {0}}};
+    for (int p = 0; p < rule->points; p++) {
+        area[rule->point[p].region] += rule->point[p].weight;
+        total += rule->point[p].weight;
+    }
+    for (int r = 0; r < laws->law.regions; r++) {
+        const struct hobe_material *own = hobe_section_material(options->section, r);
+        const struct hobe_material *material = own ? own : &options->material;
+        struct hobe_elasticity mean;
+        hobe_material_law(material, mechanics, laws->region + r, &mean);
+        laws->density[r] = material->rho;
+        for (int a = 0; a < 9; a++)
+            laws->law.mean.normal[a / 3][a % 3] += area[r] / total * mean.normal[a / 3][a % 3];
+        for (int a = 0; a < 3; a++)
+            laws->law.mean.shear[a] += area[r] / total * mean.shear[a];
+    }
+}
+
 static enum hobe_status integrate(hobe_element *element, const struct hobe_element_options *options,
                                   const double (*gauss)[2], struct hobe_error *err)
 {
     struct hobe_invariants *inv = &element->invariants;
     struct rules rules[MOST_STATIONS] = {0};
     struct hobe_station station[MOST_STATIONS];
-    struct hobe_elasticity point;
-    struct hobe_law law = {1, &point, &options->material.rho, {{{0}}, {0}}};
+    struct laws laws;
     const int sections = hobe_section_varies(options->section) ? inv->stations : 1;
     enum hobe_status status = HOBE_OK;
     for (int g = 0; !status && g < sections; g++)
         status = set_station(element, options, gauss[g][0], rules + g, station + g, err);
     if (!status) {
-        hobe_material_law(&options->material, element->mechanics, &point, &law.mean);
-        element->kernel->invariants(inv, gauss, sections, station, &law, element->q0);
+        set_laws(&laws, options, element->mechanics, &station->rule);
+        element->kernel->invariants(inv, gauss, sections, station, &laws.law, element->q0);
     }
     for (int g = 0; g < sections; g++) {
         hobe_rule_free(&rules[g].section);
@@ -451,7 +481,7 @@ hobe_element *hobe_element_new(const struct hobe_element_options *options, struc
                   options->length);
         return NULL;
     }
-    if (hobe_material_check(&options->material, err))
+    if (!hobe_section_material(options->section, 0) && hobe_material_check(&options->material, err))
         return NULL;
     if (check_form(options, err))
         return NULL;

@@ -220,9 +220,9 @@ typedef struct hobe_element hobe_element;
 
 struct hobe_element_options {
     const struct hobe_kernel *kernel;
-    const hobe_section *section; /* must outlive the element */
-    struct hobe_material material;
-    double length; /* m, > 0 */
+    const hobe_section *section;   /* must outlive the element */
+    struct hobe_material material; /* where the section has none of its own */
+    double length;                 /* m, > 0 */
     enum hobe_mechanics mechanics;
     enum hobe_integration integration;
     double from, to;  /* the element's part of its beam, fractions of the beam's length, which
@@ -320,10 +320,10 @@ struct hobe_beam {
     const char *where;
     const char *name; /* unique in the model */
     const struct hobe_kernel *kernel;
-    int elements;                /* >= 1 */
-    const hobe_section *section; /* must outlive the model */
-    struct hobe_material material;
-    double from[3], to[3];   /* ends of a straight axis, m */
+    int elements;                  /* >= 1 */
+    const hobe_section *section;   /* must outlive the model */
+    struct hobe_material material; /* where the section has none of its own */
+    double from[3], to[3];         /* ends of a straight axis, m */
     const hobe_curve *curve; /* the axis where it is curved or pretwisted, in place of from and to;
                                 must outlive the model; NULL: straight */
     double up[3]; /* direction the section's z axis points to (made normal to the axis); {0,0,0}:

@@ -273,6 +273,7 @@ static const struct hobe_lua_entry general_entries[] = {
 const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"General", general_entries, 0},
     {"Sections", hobe_lua_section_entries, 0},
+    {"Composite sections", hobe_lua_composite_entries, 0},
     {"Sections along a beam", hobe_lua_taper_entries, 0},
     {"Methods of a section", hobe_lua_section_methods, 1},
     {"Beams, supports, loads", hobe_lua_item_entries, 0},

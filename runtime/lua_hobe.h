@@ -24,19 +24,20 @@ struct hobe_lua_entry {
     const struct hobe_lua_field *field;   /* of the object it returns, or NULL */
 };
 
-extern const struct hobe_lua_entry hobe_lua_section_entries[]; /* lua_section.c */
-extern const struct hobe_lua_entry hobe_lua_taper_entries[];   /* lua_taper.c */
-extern const struct hobe_lua_entry hobe_lua_section_methods[]; /* lua_taper.c */
-extern const struct hobe_lua_entry hobe_lua_item_entries[];    /* lua_item.c */
-extern const struct hobe_lua_entry hobe_lua_scene_entries[];   /* lua_scene.c */
-extern const struct hobe_lua_entry hobe_lua_solve_entries[];   /* lua_solve.c */
-extern const struct hobe_lua_entry hobe_lua_result_methods[];  /* lua_solve.c */
-extern const struct hobe_lua_entry hobe_lua_modal_entries[];   /* lua_modal.c */
-extern const struct hobe_lua_entry hobe_lua_modes_methods[];   /* lua_modal.c */
-extern const struct hobe_lua_entry hobe_lua_kernel_entries[];  /* lua_kernel.c */
-extern const struct hobe_lua_entry hobe_lua_kernel_methods[];  /* lua_kernel.c */
-extern const struct hobe_lua_entry hobe_lua_report_entries[];  /* lua_report.c */
-extern const struct hobe_lua_entry hobe_lua_figure_entries[];  /* lua_figure.c */
+extern const struct hobe_lua_entry hobe_lua_section_entries[];   /* lua_section.c */
+extern const struct hobe_lua_entry hobe_lua_composite_entries[]; /* lua_composite.c */
+extern const struct hobe_lua_entry hobe_lua_taper_entries[];     /* lua_taper.c */
+extern const struct hobe_lua_entry hobe_lua_section_methods[];   /* lua_taper.c */
+extern const struct hobe_lua_entry hobe_lua_item_entries[];      /* lua_item.c */
+extern const struct hobe_lua_entry hobe_lua_scene_entries[];     /* lua_scene.c */
+extern const struct hobe_lua_entry hobe_lua_solve_entries[];     /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_result_methods[];    /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_modal_entries[];     /* lua_modal.c */
+extern const struct hobe_lua_entry hobe_lua_modes_methods[];     /* lua_modal.c */
+extern const struct hobe_lua_entry hobe_lua_kernel_entries[];    /* lua_kernel.c */
+extern const struct hobe_lua_entry hobe_lua_kernel_methods[];    /* lua_kernel.c */
+extern const struct hobe_lua_entry hobe_lua_report_entries[];    /* lua_report.c */
+extern const struct hobe_lua_entry hobe_lua_figure_entries[];    /* lua_figure.c */
 
 /* Chapters of the module and of its reference, in order; the last has no title. */
 struct hobe_lua_chapter {
@@ -120,10 +121,10 @@ void hobe_lua_stage_picture(lua_State *L, const char *name, const char *script);
 void hobe_lua_write_files(lua_State *L);
 void hobe_lua_forget_files(struct hobe_lua *context);
 
-/* Reads the file `name` for hobe.`what` into the empty text, which the caller frees.  A relative name
- * starts from the folder of the case, in a stock Lua from the working folder.  A case that is not
- * trusted reads regular files in its folder and below, through no symbolic link.  Raises, with the
- * text freed; reading ends soon after `most` bytes, which the caller refuses. */
+/* Reads the file `name` for hobe.`what` into the empty text, which the caller frees.  A relative
+ * name starts from the folder of the case, in a stock Lua from the working folder.  A case that is
+ * not trusted reads regular files in its folder and below, through no symbolic link.  Raises, with
+ * the text freed; reading ends soon after `most` bytes, which the caller refuses. */
 void hobe_lua_read_file(lua_State *L, const char *what, const char *name, size_t most,
                         struct hobe_text *text);
 

@@ -65,6 +65,25 @@ static const struct hobe_lua_key material_keys[] = {
 
 const struct hobe_lua_schema hobe_lua_material_schema = {"material", material_keys};
 
+void hobe_lua_finish_material(struct hobe_material *material)
+{
+    material->average_shear = material->average_shear == 2;
+}
+
+void hobe_lua_choose_material(lua_State *L, const struct hobe_lua_schema *schema,
+                              const hobe_section *section, struct hobe_material *material)
+{
+    const int own = hobe_section_material(section, 0) != NULL;
+    hobe_lua_push_key(L, 1, schema, "material");
+    if (lua_isnil(L, -1) != own)
+        hobe_lua_fail(L,
+                      own ? "%s: a composite section brings its materials; leave material out"
+                          : "%s: material is missing: a table {E =, nu =, rho =}",
+                      schema->name);
+    lua_pop(L, 1);
+    hobe_lua_finish_material(material);
+}
+
 struct beam {
     struct hobe_beam beam;
     const char *element;
@@ -79,8 +98,8 @@ static const struct hobe_lua_key beam_keys[] = {
         .doc = "name of the element; see `hobe.elements()`"),
     BEAM(elements, KEY_WHOLE, REQUIRED, KEY_WITHIN(1, 1e6), .doc = "number of elements"),
     BEAM(section, KEY_SECTION, REQUIRED, .doc = "a section, such as hobe.rectangle{...}"),
-    BEAM(material, KEY_GROUP, REQUIRED, .group = &hobe_lua_material_schema,
-         .doc = "a table {E =, nu =, rho =, k2 =, k3 =, k =}"),
+    BEAM(material, KEY_GROUP, .group = &hobe_lua_material_schema,
+         .doc = "a table {E =, nu =, rho =, k2 =, k3 =, k =}; a composite section brings its own"),
     BEAM(from, KEY_VECTOR, .unit = "m", .doc = "begin of a straight axis, {x, y, z}"),
     BEAM(to, KEY_VECTOR, .unit = "m", .doc = "its end"),
     KEY_OF_OTHER(
@@ -146,7 +165,7 @@ static int beam(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &beam_schema, &read);
     read.beam.kernel = hobe_lua_find_kernel(L, read.element);
-    read.beam.material.average_shear = read.beam.material.average_shear == 2;
+    hobe_lua_choose_material(L, &beam_schema, read.beam.section, &read.beam.material);
     read.beam.mechanics = (enum hobe_mechanics)read.mechanics;
     read.beam.integration = read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
     push_axis(L, &read.beam);

@@ -38,6 +38,14 @@ struct hobe_lua_scene {
 /* The keys material = {...}, fit for struct hobe_material. */
 extern const struct hobe_lua_schema hobe_lua_material_schema;
 
+/* Makes the choice of its key k the flag average_shear.  To be called once after it was read. */
+void hobe_lua_finish_material(struct hobe_material *material);
+
+/* The same for what has a section, of the table at index 1: raises where a material is missing, or
+ * given beside a section's own. */
+void hobe_lua_choose_material(lua_State *L, const struct hobe_lua_schema *schema,
+                              const hobe_section *section, struct hobe_material *material);
+
 /* Pushes the axis of a beam as userdata, and returns it: along the beam's key `curve`, at the
  * absolute index `curve` of the stack, or straight from `from` to `to` where that is nil, with the
  * twist of its key `twist`.  Nil and NULL where both are nil.  Raises on bad values, and errors of

@@ -160,9 +160,8 @@ static const struct hobe_lua_key keys[] = {
     KEY_AS("element", struct options, name, KEY_TEXT, .word = "MGD30w", .doc = "as of a beam"),
     KEY_AS("section", struct options, element.section, KEY_SECTION, REQUIRED,
            .doc = "a section, such as hobe.rectangle{...}"),
-    KEY_AS("material", struct options, element.material, KEY_GROUP, REQUIRED,
-           .group = &hobe_lua_material_schema,
-           .doc = "a table {E =, nu =, rho =, k2 =, k3 =, k =}"),
+    KEY_AS("material", struct options, element.material, KEY_GROUP,
+           .group = &hobe_lua_material_schema, .doc = "as of a beam"),
     KEY_AS("length", struct options, element.length, KEY_NUMBER, REQUIRED, KEY_ABOVE(0),
            .unit = "m", .doc = "its length"),
     KEY(struct options, mechanics, KEY_CHOICE, .choices = "average|axis|full|structural",
@@ -214,7 +213,7 @@ static int kernel(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &schema, &read);
     read.element.kernel = hobe_lua_find_kernel(L, read.name);
-    read.element.material.average_shear = read.element.material.average_shear == 2;
+    hobe_lua_choose_material(L, &schema, read.element.section, &read.element.material);
     read.element.mechanics = (enum hobe_mechanics)read.mechanics;
     read.element.integration =
         read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;

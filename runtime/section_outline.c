@@ -541,7 +541,7 @@ hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *
                                      struct hobe_error *err)
 {
     if (parts < 1 || parts > HOBE_MAX_REGIONS) {
-        hobe_fail(err, HOBE_BAD_INPUT, NULL, "a composite section has 1 to %d parts, got %d",
+        hobe_fail(err, HOBE_BAD_INPUT, NULL, "composite: there must be 1 to %d parts, got %d",
                   HOBE_MAX_REGIONS, parts);
         return NULL;
     }
@@ -549,6 +549,7 @@ hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *
     if (!s)
         return NULL;
     if (add_parts(s, part, err)) {
+        hobe_fail_in(err, "composite");
         hobe_section_free(&s->base);
         return NULL;
     }
@@ -557,6 +558,8 @@ hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *
         snprintf(section->text, sizeof section->text,
                  "composite of %d part%s, w: solved on %d triangles", parts, parts == 1 ? "" : "s",
                  hobe_section_triangles(section));
+    else
+        hobe_fail_in(err, "composite");
     return section;
 }
 

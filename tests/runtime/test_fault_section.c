@@ -6,7 +6,20 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { KINDS = 5 };
+enum { KINDS = 6 };
+
+static hobe_section *composite(struct hobe_error *err)
+{
+    static const struct hobe_material m = {1, 0, 0, 1, 1, 0};
+    hobe_section *core = hobe_section_circle(1, err), *made = NULL;
+    hobe_section *sleeve = core ? hobe_section_tube(2, 1, err) : NULL;
+    if (sleeve)
+        made = hobe_section_composite(
+            2, (struct hobe_section_part[]){{core, {0, 0}, m}, {sleeve, {0, 0}, m}}, err);
+    hobe_section_free(core);
+    hobe_section_free(sleeve);
+    return made;
+}
 
 static hobe_section *make(int kind, struct hobe_error *err)
 {
@@ -25,6 +38,8 @@ static hobe_section *make(int kind, struct hobe_error *err)
         return hobe_section_polygon(2, (const int[]){3, 3}, corner, err);
     case 3:
         return hobe_section_file(&file, err);
+    case 4:
+        return composite(err);
     default:
         return hobe_section_hollow(2, 1, .2, HOBE_WARPING_SOLVED, err);
     }
