@@ -158,10 +158,12 @@ static enum hobe_status split(hobe_curve *c, int parts, double *change, struct h
     if (!t)
         return HOBE_NO_MEMORY;
     double *s = t + panels + 1;
-    for (int i = 0; i <= panels; i++) {
+    double lost = 0; /* to rounding (Kahan), which has one sign where panels are alike */
+    for (int i = 1; i <= panels; i++) {
         t[i] = grid(c, parts, i);
-        if (i > 0)
-            s[i] = s[i - 1] + arc(c, t[i - 1], t[i]);
+        const double more = arc(c, t[i - 1], t[i]) - lost;
+        s[i] = s[i - 1] + more;
+        lost = s[i] - s[i - 1] - more;
     }
     *change = HUGE_VAL;
     if (c->t) {

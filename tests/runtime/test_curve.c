@@ -343,6 +343,7 @@ static void test_circle(void)
     const double coarse = circle_error(33), fine = circle_error(65);
     check_that(coarse < 1e-5, "33 points: %g", coarse);
     check_that(coarse > 12 * fine, "the fourth power of the distance: %g, %g", coarse, fine);
+    check_absolute(circle_error(10000), 0, 1e-12, "as many points as there may be");
 }
 
 /* ---- what is no curve -------------------------------------------------------------------------
