@@ -158,6 +158,15 @@ static void assemble(const hobe_section *section, const struct hobe_mesh *mesh, 
     }
 }
 
+/* 1/sqrt of the diagonal: scale[n]. */
+static void set_scale(const struct matrix *K, int n, double *scale)
+{
+    for (int c = 0; c < n; c++)
+        for (long p = K->start[c]; p < K->start[c + 1]; p++)
+            if (K->row[p] == c)
+                scale[c] = 1 / sqrt(K->value[p]);
+}
+
 /* K x = b for each function; x[HOBE_SECTION_FUNCTIONS][n] holds b before. */
 static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_error *err)
 {
@@ -165,12 +174,10 @@ static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_er
     double *scale = hobe_alloc((size_t)n, sizeof *scale, err);
     hobe_linsolve *solver = scale ? hobe_linsolve_analyse(n, K->start, K->row, err) : NULL;
     enum hobe_status status = solver ? HOBE_OK : HOBE_NO_MEMORY;
-    for (int c = 0; !status && c < n; c++)
-        for (long p = K->start[c]; p < K->start[c + 1]; p++)
-            if (K->row[p] == c)
-                scale[c] = 1 / sqrt(K->value[p]);
-    if (!status)
+    if (!status) {
+        set_scale(K, n, scale);
         status = hobe_linsolve_factor(solver, K->value, scale, &column, err);
+    }
     for (int f = 0; !status && f < HOBE_SECTION_FUNCTIONS; f++) {
         x[f * n] = 0;
         status = hobe_linsolve_solve(solver, x + f * n, err);
@@ -200,6 +207,110 @@ enum hobe_status hobe_saint_venant(const hobe_section *section, const struct hob
     matrix_free(&K);
     hobe_free(b);
     return status;
+}
+
+/* ---- smooth fields -------------------------------------------------------------------------- */
+
+struct hobe_extension {
+    const struct hobe_mesh *mesh;
+    unsigned char *held;
+    struct matrix K; /* with rows and columns of held nodes those of the unit matrix */
+    double *scale;
+    hobe_linsolve *solver;
+};
+
+/* k_ij = int grad N_i . grad N_j dA / A of a triangle: the weight makes the small triangles at
+ * corners stiff, where the gradient of a harmonic field has no bound. */
+static void stiff_laplace(const struct hobe_mesh *mesh, int t, double k[NODES][NODES])
+{
+    double L[3], N[NODES], dN[NODES][2];
+    memset(k, 0, sizeof(double[NODES][NODES]));
+    for (int g = 0; g < POINTS; g++) {
+        const double weight = cubature(g, L);
+        shape(mesh, t, L, N, dN);
+        for (int i = 0; i < NODES; i++)
+            for (int j = 0; j < NODES; j++)
+                k[i][j] += weight * (dN[i][0] * dN[j][0] + dN[i][1] * dN[j][1]);
+    }
+}
+
+static void assemble_extension(struct hobe_extension *x)
+{
+    for (int t = 0; t < x->mesh->triangles; t++) {
+        const int *n = x->mesh->triangle[t];
+        double k[NODES][NODES];
+        stiff_laplace(x->mesh, t, k);
+        for (int i = 0; i < NODES; i++)
+            for (int j = 0; j < NODES; j++)
+                if (i == j || (!x->held[n[i]] && !x->held[n[j]]))
+                    matrix_add(&x->K, n[i], n[j], k[i][j]);
+    }
+    matrix_compress(&x->K, x->mesh->nodes);
+}
+
+struct hobe_extension *hobe_extension_new(const struct hobe_mesh *mesh, const unsigned char *held,
+                                          struct hobe_error *err)
+{
+    const size_t n = (size_t)mesh->nodes;
+    long column;
+    struct hobe_extension *x = hobe_alloc(1, sizeof *x, err);
+    if (!x)
+        return NULL;
+    x->mesh = mesh;
+    x->held = hobe_alloc(n, sizeof *x->held, err);
+    x->scale = hobe_alloc(n, sizeof *x->scale, err);
+    enum hobe_status status = matrix_new(mesh, &x->K, err);
+    if (!status && x->held && x->scale) {
+        memcpy(x->held, held, n);
+        assemble_extension(x);
+        set_scale(&x->K, mesh->nodes, x->scale);
+        x->solver = hobe_linsolve_analyse(mesh->nodes, x->K.start, x->K.row, err);
+    }
+    if (!x->solver || hobe_linsolve_factor(x->solver, x->K.value, x->scale, &column, err)) {
+        hobe_extension_free(x);
+        return NULL;
+    }
+    return x;
+}
+
+enum hobe_status hobe_extension_apply(const struct hobe_extension *x, double *values,
+                                      struct hobe_error *err)
+{
+    const struct hobe_mesh *mesh = x->mesh;
+    double *b = hobe_alloc((size_t)mesh->nodes, sizeof *b, err);
+    if (!b)
+        return HOBE_NO_MEMORY;
+    for (int t = 0; t < mesh->triangles; t++) {
+        const int *n = mesh->triangle[t];
+        double k[NODES][NODES];
+        stiff_laplace(mesh, t, k);
+        for (int i = 0; i < NODES; i++)
+            for (int j = 0; j < NODES; j++)
+                if (!x->held[n[i]] && x->held[n[j]])
+                    b[n[i]] -= k[i][j] * values[n[j]];
+    }
+    const enum hobe_status status = hobe_linsolve_solve(x->solver, b, err);
+    for (int i = 0; i < mesh->nodes; i++)
+        if (!x->held[i])
+            values[i] = b[i];
+    for (int t = 0; t < mesh->triangles; t++) {
+        const int *n = mesh->triangle[t];
+        for (int i = 0; i < 3; i++)
+            values[n[3 + i]] = (values[n[i]] + values[n[(i + 1) % 3]]) / 2;
+    }
+    hobe_free(b);
+    return status;
+}
+
+void hobe_extension_free(struct hobe_extension *x)
+{
+    if (!x)
+        return;
+    hobe_linsolve_free(x->solver);
+    matrix_free(&x->K);
+    hobe_free(x->held);
+    hobe_free(x->scale);
+    hobe_free(x);
 }
 
 /* ---- the fields anywhere -------------------------------------------------------------------- */

@@ -16,6 +16,19 @@
 enum hobe_status hobe_saint_venant(const hobe_section *section, const struct hobe_mesh *mesh,
                                    double *values, double *energy, struct hobe_error *err);
 
+/* Smooth fields on a mesh whose values at some nodes are given, those of the least
+ * sum over the triangles of int |grad f|^2 dA / A (Stein, Tezduyar & Benney 2003). */
+struct hobe_extension;
+/* held[mesh->nodes]: 1 where values will be given, which must be all along the outline.  The mesh
+ * must outlive the result; NULL for want of memory. */
+struct hobe_extension *hobe_extension_new(const struct hobe_mesh *mesh, const unsigned char *held,
+                                          struct hobe_error *err);
+/* values[mesh->nodes]: given at the held nodes, set at the others, in the middle of a side to the
+ * mean of its ends, so that nodes moved by such fields leave sides straight. */
+enum hobe_status hobe_extension_apply(const struct hobe_extension *extension, double *values,
+                                      struct hobe_error *err);
+void hobe_extension_free(struct hobe_extension *extension);
+
 /* f[HOBE_SECTION_FUNCTIONS][4]: the fields of such nodal values and their gradients at (y, z);
  * beyond the outline those of the nearest point. */
 void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double y, double z,

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <stddef.h>
+#include <string.h>
 
 enum { QUADRATIC_TRIANGLE = 9, NODES = 6 }; /* gmsh's number of the element type */
 
@@ -521,6 +522,35 @@ enum hobe_status hobe_mesh_outlines(int parts, const struct hobe_outline *outlin
     if (status)
         hobe_mesh_free(mesh);
     return status;
+}
+
+enum hobe_status hobe_mesh_copy(const struct hobe_mesh *from, struct hobe_mesh *to,
+                                struct hobe_error *err)
+{
+    const size_t n = (size_t)from->nodes, t = (size_t)from->triangles;
+    *to = (struct hobe_mesh){from->nodes, from->triangles, hobe_alloc(n, sizeof *to->node, err),
+                             hobe_alloc(t, sizeof *to->triangle, err),
+                             hobe_alloc(t, sizeof *to->region, err)};
+    if (!to->node || !to->triangle || !to->region) {
+        hobe_mesh_free(to);
+        return HOBE_NO_MEMORY;
+    }
+    memcpy(to->node, from->node, n * sizeof *to->node);
+    memcpy(to->triangle, from->triangle, t * sizeof *to->triangle);
+    memcpy(to->region, from->region, t * sizeof *to->region);
+    return HOBE_OK;
+}
+
+int hobe_mesh_upright(const struct hobe_mesh *mesh)
+{
+    for (int t = 0; t < mesh->triangles; t++) {
+        const int *n = mesh->triangle[t];
+        const double *a = mesh->node[n[0]], *b = mesh->node[n[1]], *c = mesh->node[n[2]];
+        const double ab[2] = {b[0] - a[0], b[1] - a[1]}, ac[2] = {c[0] - a[0], c[1] - a[1]};
+        if (!(cross(ab, ac) > 0))
+            return 0;
+    }
+    return 1;
 }
 
 void hobe_mesh_free(struct hobe_mesh *mesh)

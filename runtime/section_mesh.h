@@ -24,6 +24,12 @@ struct hobe_mesh {
  * outlines touch.  The same outlines give the same mesh.  One sentence when two overlap. */
 enum hobe_status hobe_mesh_outlines(int parts, const struct hobe_outline *outline,
                                     struct hobe_mesh *mesh, struct hobe_error *err);
+enum hobe_status hobe_mesh_copy(const struct hobe_mesh *from, struct hobe_mesh *to,
+                                struct hobe_error *err);
+
+/* Whether no triangle is turned over. */
+int hobe_mesh_upright(const struct hobe_mesh *mesh);
+
 void hobe_mesh_free(struct hobe_mesh *mesh);
 
 #endif

@@ -243,7 +243,7 @@ static hobe_section *make_like(const hobe_section *like, const double *sizes, in
     return make(sizes[0], sizes[1], ((const struct rectangle *)like)->warping, bare, err);
 }
 
-static const struct hobe_section_sizes rectangle_sizes = {count_sizes, read_sizes, make_like};
+static const struct hobe_section_sizes rectangle_sizes = {count_sizes, read_sizes, make_like, NULL};
 static const struct hobe_section_kind rectangle_kind = {.rule = rule,
                                                         .functions = functions_at,
                                                         .outline = outline,

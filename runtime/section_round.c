@@ -138,7 +138,7 @@ static hobe_section *make_like(const hobe_section *like, const double *sizes, in
                                                   : hobe_section_circle(sizes[0], err);
 }
 
-static const struct hobe_section_sizes ring_sizes = {count_sizes, read_sizes, make_like};
+static const struct hobe_section_sizes ring_sizes = {count_sizes, read_sizes, make_like, NULL};
 /* Polygons of the circles' areas: their polar moments are larger by 1e-7. */
 static enum hobe_status outline(const hobe_section *section, struct hobe_outline *outline,
                                 struct hobe_error *err)

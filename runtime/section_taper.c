@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Of the numbers along the beam, relative: far below what their series loses otherwise. */
-static const double TOLERANCE = 1e-10;
+/* Of the numbers and values along the beam, relative; what their series then lose is the square. */
+static const double TOLERANCE = 1e-10, FIELD_TOLERANCE = 1e-6;
 
 /* The largest relative change of a number in a difference that gives d/dx of the section functions:
  * its error is (2e-4)^4, that of rounding 1e-16/2e-4.  It must be so small that no point of a rule
@@ -19,6 +19,8 @@ struct taper {
     struct hobe_section base;
     hobe_section *like; /* owned; its kind is the taper's, its numbers are those at 0 */
     struct hobe_chebyshev numbers;
+    void *field; /* of a kind whose functions are solved, with its values along the beam */
+    struct hobe_chebyshev values;
 };
 
 static const struct taper *as_taper(const hobe_section *section)
@@ -28,14 +30,18 @@ static const struct taper *as_taper(const hobe_section *section)
 
 /* ---- sections at a place -------------------------------------------------------------------- */
 
-/* The numbers at a fraction of the length and their derivatives by it: n[2][count], of hobe_alloc.
- */
-static double *numbers_at(const struct taper *t, double at, struct hobe_error *err)
+/* Values at a fraction of the length and their derivatives by it: n[2][count], of hobe_alloc. */
+static double *series_at(const struct hobe_chebyshev *series, double at, struct hobe_error *err)
 {
-    double *n = hobe_alloc(2 * (size_t)t->numbers.values, sizeof *n, err);
+    double *n = hobe_alloc(2 * (size_t)series->values, sizeof *n, err);
     if (n)
-        hobe_chebyshev_at(&t->numbers, at, 1, n);
+        hobe_chebyshev_at(series, at, 1, n);
     return n;
+}
+
+static const struct hobe_section_field *field_of(const struct taper *t)
+{
+    return t->like->kind->sizes->field;
 }
 
 static hobe_section *make_section(const struct taper *t, const double *n, int bare,
@@ -52,7 +58,7 @@ hobe_section *hobe_section_at(const hobe_section *section, double at, struct hob
                   section->text);
         return NULL;
     }
-    double *n = numbers_at(t, at, err);
+    double *n = series_at(&t->numbers, at, err);
     hobe_section *made = n ? make_section(t, n, 0, err) : NULL;
     hobe_free(n);
     return made;
@@ -92,7 +98,7 @@ static enum hobe_status look_around(const struct taper *t, double at, int bare, 
 {
     const int count = t->numbers.values;
     *a = (struct around){0};
-    double *n = numbers_at(t, at, err);
+    double *n = series_at(&t->numbers, at, err);
     if (!n)
         return HOBE_NO_MEMORY;
     a->here = make_section(t, n, bare, err);
@@ -131,15 +137,31 @@ static const struct hobe_section_place *or_start(const struct hobe_section_place
     return place ? place : &start;
 }
 
+static enum hobe_status solved_rule(const struct taper *t, const struct hobe_section_place *place,
+                                    struct hobe_rule *rule, struct hobe_error *err)
+{
+    double *values = series_at(&t->values, place->at, err);
+    const enum hobe_status status =
+        values ? field_of(t)->rule(t->field, values, rule, err) : HOBE_NO_MEMORY;
+    for (int p = 0; !status && p < rule->rule.points; p++)
+        for (int i = 0; i < HOBE_SECTION_FUNCTIONS; i++)
+            rule->point[p].f[i][3] /= place->length;
+    hobe_free(values);
+    return status;
+}
+
 static enum hobe_status rule_at(const hobe_section *section, const struct hobe_kernel *kernel,
                                 enum hobe_integration integration,
                                 const struct hobe_section_place *place, struct hobe_rule *rule,
                                 struct hobe_error *err)
 {
-    const int paper = integration == HOBE_INTEGRATION_PAPER;
+    const struct taper *t = as_taper(section);
+    const int paper = integration == HOBE_INTEGRATION_PAPER, solved = field_of(t) != NULL;
     struct around a;
     place = or_start(place);
-    enum hobe_status status = look_around(as_taper(section), place->at, 0, &a, err);
+    if (solved && kernel->functions && !paper)
+        return solved_rule(t, place, rule, err);
+    enum hobe_status status = look_around(t, place->at, solved, &a, err);
     if (status)
         return status;
     status = a.here->kind->rule(a.here, kernel, integration, rule, err);
@@ -151,12 +173,27 @@ static enum hobe_status rule_at(const hobe_section *section, const struct hobe_k
     return status;
 }
 
+static enum hobe_status solved_functions(const struct taper *t,
+                                         const struct hobe_section_place *place, double y, double z,
+                                         double (*f)[4], struct hobe_error *err)
+{
+    double *values = series_at(&t->values, place->at, err);
+    const enum hobe_status status =
+        values ? field_of(t)->functions(t->field, values, y, z, f, err) : HOBE_NO_MEMORY;
+    for (int i = 0; i < HOBE_SECTION_FUNCTIONS; i++)
+        f[i][3] /= place->length;
+    hobe_free(values);
+    return status;
+}
+
 static enum hobe_status functions_at(const hobe_section *section, int paper,
                                      const struct hobe_section_place *place, double y, double z,
                                      double (*f)[4], struct hobe_error *err)
 {
     struct around a;
     place = or_start(place);
+    if (field_of(as_taper(section)))
+        return solved_functions(as_taper(section), place, y, z, f, err);
     const enum hobe_status status = look_around(as_taper(section), place->at, 1, &a, err);
     if (status)
         return status;
@@ -170,7 +207,7 @@ static hobe_section *section_at(const hobe_section *section, double at, int bare
                                 struct hobe_error *err)
 {
     const struct taper *t = as_taper(section);
-    double *n = numbers_at(t, at, err);
+    double *n = series_at(&t->numbers, at, err);
     hobe_section *here = n ? make_section(t, n, bare, err) : NULL;
     hobe_free(n);
     return here;
@@ -203,8 +240,11 @@ static enum hobe_status properties_at(const hobe_section *section, double at,
 static void close_taper(hobe_section *section)
 {
     struct taper *t = (struct taper *)section;
+    if (t->field)
+        field_of(t)->close(t->field);
     hobe_section_free(t->like);
     hobe_chebyshev_free(&t->numbers);
+    hobe_chebyshev_free(&t->values);
 }
 
 static const struct hobe_section_kind taper_kind = {
@@ -229,8 +269,12 @@ static enum hobe_status sample(void *context, double t, double *numbers, struct 
     const struct maker *m = context;
     const hobe_section *section = NULL;
     const enum hobe_status status = m->make(m->context, t, &section, err);
-    if (status)
+    if (status) {
+        char place[40];
+        snprintf(place, sizeof place, "at %.3g of the beam", t);
+        hobe_fail_in(err, place);
         return status;
+    }
     if (section->kind != m->like->kind ||
         section->kind->sizes->count(section) != m->like->kind->sizes->count(m->like))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
@@ -250,7 +294,7 @@ static enum hobe_status set_like(struct taper *t, hobe_section_maker *make, void
     if (status)
         return status;
     const struct hobe_section_sizes *sizes = start->kind->sizes;
-    if (!sizes)
+    if (!sizes || !sizes->count(start))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "a taper cannot be made of this section: %s",
                          start->text);
     double *n = hobe_alloc((size_t)sizes->count(start), sizeof *n, err);
@@ -262,10 +306,32 @@ static enum hobe_status set_like(struct taper *t, hobe_section_maker *make, void
     return t->like ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
 }
 
+/* The field's values at t. */
+static enum hobe_status solve_at(void *context, double at, double *values, struct hobe_error *err)
+{
+    const struct taper *t = context;
+    double *n = series_at(&t->numbers, at, err);
+    const enum hobe_status status =
+        n ? field_of(t)->solve(t->field, n, values, err) : HOBE_NO_MEMORY;
+    hobe_free(n);
+    return status;
+}
+
+static enum hobe_status set_field(struct taper *t, struct hobe_error *err)
+{
+    int values;
+    if (!field_of(t))
+        return HOBE_OK;
+    t->field = field_of(t)->open(t->like, &values, err);
+    if (!t->field)
+        return err ? err->status : HOBE_NO_MEMORY;
+    return hobe_chebyshev_fit(&t->values, values, solve_at, t, FIELD_TOLERANCE, "the section", err);
+}
+
 static enum hobe_status fill(struct taper *t, hobe_section_maker *make, void *context,
                              struct hobe_error *err)
 {
-    const enum hobe_status status = set_like(t, make, context, err);
+    enum hobe_status status = set_like(t, make, context, err);
     if (status)
         return status;
     struct maker maker = {t->like, make, context};
@@ -274,8 +340,9 @@ static enum hobe_status fill(struct taper *t, hobe_section_maker *make, void *co
     memcpy(t->base.probe, t->like->probe, sizeof t->base.probe);
     snprintf(t->base.text, sizeof t->base.text, "varies along the beam; at 0: %.120s",
              t->like->text);
-    return hobe_chebyshev_fit(&t->numbers, t->like->kind->sizes->count(t->like), sample, &maker,
-                              TOLERANCE, "the section", err);
+    status = hobe_chebyshev_fit(&t->numbers, t->like->kind->sizes->count(t->like), sample, &maker,
+                                TOLERANCE, "the section", err);
+    return status ? status : set_field(t, err);
 }
 
 hobe_section *hobe_section_taper(hobe_section_maker *make, void *context, struct hobe_error *err)
@@ -322,7 +389,7 @@ hobe_section *hobe_section_linear(const hobe_section *from, const hobe_section *
 {
     struct ends ends = {{from, to}, NULL};
     for (int e = 0; e < 2; e++)
-        if (!ends.end[e]->kind->sizes) {
+        if (!ends.end[e]->kind->sizes || !ends.end[e]->kind->sizes->count(ends.end[e])) {
             hobe_fail(err, HOBE_BAD_INPUT, NULL, "a taper cannot be made of this section: %s",
                       ends.end[e]->text);
             return NULL;
