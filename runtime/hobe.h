@@ -60,6 +60,7 @@ struct hobe_section_properties {
 };
 
 /* All sizes in m.  NULL and err set, with one sentence, on sizes and outlines that make no section.
+ * An outline that some section in use has already, to the last bit, is not solved again.
  *
  * A rectangle, width along y and height along z. */
 hobe_section *hobe_section_rectangle(double width, double height, enum hobe_warping warping,

@@ -158,12 +158,11 @@ static const double *end_of(const struct hobe_drawing *drawing, int e)
     return drawing->point[e % 2 ? path->to - 1 : path->from];
 }
 
-/* Chains what may be joined, loop by loop. */
+/* The work of chaining, loop by loop. */
 struct chain {
     const struct hobe_drawing *drawing;
-    double near;
-    int *
-        partner; /* [2 paths] the end that coincides with this one; -1: the path has no open ends */
+    double near;  /* closer ends coincide */
+    int *partner; /* [2 paths] the end that coincides with it; -1 where a path has no open ends */
     struct hobe_loops *loops;
     int points; /* of all loops so far */
 };

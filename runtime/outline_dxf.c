@@ -3,7 +3,8 @@
  *
  * A file alternates lines of a group code and of a value (Autodesk, DXF Reference).  Group 0 begins
  * an entity, 10 and 20 are the coordinates of its first point, 11 and 21 of its second, 40 to 42
- * and 50, 51 what the entity makes of them, 70 its flags, 210 to 230 the normal of its plane. */
+ * and 50, 51 what the entity makes of them, 67 that it lies on the sheet of paper, 70 its flags,
+ * 210 to 230 the normal of its plane. */
 #include "outline_file.h"
 
 #include <math.h>
@@ -11,7 +12,7 @@
 #include <string.h>
 
 enum { CODES = 231 };
-static const int READ[] = {10, 20, 11, 21, 40, 41, 42, 50, 51, 70, 210, 220, 230};
+static const int READ[] = {10, 20, 11, 21, 40, 41, 42, 50, 51, 67, 70, 210, 220, 230};
 enum { CLOSED = 1, MESH = 16 | 64, SPLINE_FRAME = 16 }; /* group 70 of a POLYLINE, a VERTEX */
 
 struct tag {
@@ -37,6 +38,7 @@ struct dxf {
 
     /* The entity that is being read. */
     const struct entity *entity; /* or NULL */
+    struct hobe_word name;
     int line;
     double number[CODES]; /* by group code, 0 where there is none */
 
@@ -55,8 +57,8 @@ static int whole(double x)
     return x > 0 && x < 65536 ? (int)x : 0;
 }
 
-static enum hobe_status fail_at(const struct dxf *dxf, struct hobe_error *err, int line,
-                                const char *what, const char *advice)
+static enum hobe_status fail_at(const struct dxf *dxf, int line, const char *what,
+                                const char *advice, struct hobe_error *err)
 {
     return hobe_fail(err, HOBE_BAD_INPUT, NULL, "%s: line %d: %s; %s", dxf->drawing->name, line,
                      what, advice);
@@ -70,11 +72,11 @@ static enum hobe_status next_tag(struct dxf *dxf, struct tag *tag, struct hobe_e
     char quote[48], what[100];
     const int more = hobe_next_line(&dxf->lines, &code);
     if (!more || !hobe_next_line(&dxf->lines, &tag->value))
-        return fail_at(dxf, err, dxf->lines.line, "the file ends without EOF", "it was cut short");
+        return fail_at(dxf, dxf->lines.line, "the file ends without EOF", "it was cut short", err);
     if (!hobe_word_number(code, &x) || fabs(x) > 10000 || x != floor(x)) {
         snprintf(what, sizeof what, "\"%s\" is no group code of a DXF file",
                  hobe_word_quote(code, quote));
-        return fail_at(dxf, err, dxf->lines.line - 1, what, "save the drawing as DXF, as text");
+        return fail_at(dxf, dxf->lines.line - 1, what, "save the drawing as DXF, as text", err);
     }
     tag->code = (int)x;
     return HOBE_OK;
@@ -152,6 +154,8 @@ static enum hobe_status draw_bulge(struct dxf *dxf, const double p[2], struct ho
 static enum hobe_status add_vertex(struct dxf *dxf, struct hobe_error *err)
 {
     const double *n = dxf->number, p[2] = {n[10], n[20]};
+    if (n[67] != 0)
+        return HOBE_OK;
     const enum hobe_status status =
         dxf->vertices++ ? draw_bulge(dxf, p, err) : hobe_path_line(dxf->drawing, p, err);
     if (dxf->vertices == 1)
@@ -165,7 +169,7 @@ static enum hobe_status add_vertex(struct dxf *dxf, struct hobe_error *err)
 static enum hobe_status draw_vertex(struct dxf *dxf, struct hobe_error *err)
 {
     if (!dxf->polyline)
-        return fail_at(dxf, err, dxf->line, "VERTEX without a POLYLINE", "the file is damaged");
+        return fail_at(dxf, dxf->line, "VERTEX without a POLYLINE", "the file is damaged", err);
     return whole(dxf->number[70]) & SPLINE_FRAME ? HOBE_OK : add_vertex(dxf, err);
 }
 
@@ -175,7 +179,7 @@ static enum hobe_status draw_polyline(struct dxf *dxf, struct hobe_error *err)
     dxf->flags = whole(dxf->number[70]);
     dxf->mirrored = dxf->number[230] < 0;
     if (dxf->flags & MESH)
-        return fail_at(dxf, err, dxf->line, "this POLYLINE is a mesh", "draw its outline");
+        return fail_at(dxf, dxf->line, "this POLYLINE is a mesh", "draw its outline", err);
     return dxf->pending ? add_vertex(dxf, err) : HOBE_OK;
 }
 
@@ -198,6 +202,13 @@ static enum hobe_status end_polyline(struct dxf *dxf, struct hobe_error *err)
         mirror(dxf);
     dxf->polyline = 0;
     return status;
+}
+
+static enum hobe_status refuse(struct dxf *dxf, struct hobe_error *err)
+{
+    char quote[48], what[100];
+    snprintf(what, sizeof what, "%s is not read", hobe_word_quote(dxf->name, quote));
+    return fail_at(dxf, dxf->line, what, "turn it into lines, arcs or polylines", err);
 }
 
 static const struct entity entities[] = {
@@ -223,10 +234,11 @@ static const struct entity entities[] = {
 
 static const struct entity *find_entity(struct hobe_word name)
 {
+    static const struct entity other = {"", refuse, 0};
     for (size_t i = 0; i < sizeof entities / sizeof *entities; i++)
         if (hobe_word_is(name, entities[i].name))
             return entities + i;
-    return NULL;
+    return &other;
 }
 
 /* ---- the file ------------------------------------------------------------------------------- */
@@ -234,34 +246,29 @@ static const struct entity *find_entity(struct hobe_word name)
 static enum hobe_status end_entity(struct dxf *dxf, struct hobe_error *err)
 {
     const struct entity *entity = dxf->entity;
-    if (!entity || !entity->draw)
+    if (!entity || !entity->draw || dxf->number[67] != 0)
         return HOBE_OK;
     if (dxf->number[210] != 0 || dxf->number[220] != 0)
-        return fail_at(dxf, err, dxf->line, "this entity does not lie in the xy plane",
-                       "an outline is flat");
+        return fail_at(dxf, dxf->line, "this entity does not lie in the xy plane",
+                       "an outline is flat", err);
     const enum hobe_status status = entity->draw(dxf, err);
     if (entity->own_plane && dxf->number[230] < 0)
         mirror(dxf);
     return status;
 }
 
-static enum hobe_status begin_entity(struct dxf *dxf, struct hobe_word name, struct hobe_error *err)
+static void begin_entity(struct dxf *dxf, struct hobe_word name)
 {
-    char quote[48], what[100];
     dxf->entity = find_entity(name);
+    dxf->name = name;
     dxf->line = dxf->lines.line;
     dxf->pending = 0;
     memset(dxf->number, 0, sizeof dxf->number);
-    if (!dxf->entity) {
-        snprintf(what, sizeof what, "%s is not read", hobe_word_quote(name, quote));
-        return fail_at(dxf, err, dxf->line, what, "turn it into lines, arcs or polylines");
-    }
     if (dxf->entity->draw == draw_polyline) {
         dxf->polyline = 1;
         dxf->vertices = 0;
         begin(dxf);
     }
-    return HOBE_OK;
 }
 
 /* Group 0: the end of one thing and the beginning of another. */
@@ -276,7 +283,7 @@ static enum hobe_status take_name(struct dxf *dxf, struct hobe_word name, struct
     if (hobe_word_is(name, "SECTION") || hobe_word_is(name, "ENDSEC") || hobe_word_is(name, "EOF"))
         dxf->section = NONE;
     else if (dxf->section == ENTITIES)
-        return begin_entity(dxf, name, err);
+        begin_entity(dxf, name);
     return HOBE_OK;
 }
 
@@ -297,7 +304,7 @@ static enum hobe_status read_number(const struct dxf *dxf, const struct tag *tag
         return HOBE_OK;
     snprintf(what, sizeof what, "group %d must be a number, got \"%s\"", tag->code,
              hobe_word_quote(tag->value, quote));
-    return fail_at(dxf, err, dxf->lines.line, what, "the file is damaged");
+    return fail_at(dxf, dxf->lines.line, what, "the file is damaged", err);
 }
 
 /* A group of the entity.  Each 10 of an LWPOLYLINE begins a vertex. */

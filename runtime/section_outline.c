@@ -423,10 +423,28 @@ static struct shape *new_shape(int regions, struct hobe_error *err)
     return NULL;
 }
 
-/* How many numbers add_content writes for an outline. */
-static size_t outline_content(const struct hobe_outline *o)
+/* Numbers that say what an outline is: its loops, where they end, its points. */
+static size_t outline_numbers(const struct hobe_outline *o)
 {
-    return 2 + (size_t)o->loops + 2 * (size_t)o->start[o->loops];
+    return (size_t)(1 + o->loops + 2 * o->start[o->loops]);
+}
+
+static double *write_outline(const struct hobe_outline *o, double *at)
+{
+    const size_t coordinates = (size_t)(2 * o->start[o->loops]);
+    *at++ = o->loops;
+    for (int l = 1; l <= o->loops; l++)
+        *at++ = o->start[l];
+    memcpy(at, o->point, coordinates * sizeof *at);
+    return at + coordinates;
+}
+
+static double *write_material(const struct hobe_material *m, double *at)
+{
+    const double law[MATERIAL] = {m->E, m->nu, m->rho, m->k2, m->k3, m->average_shear};
+    _Static_assert(sizeof law == sizeof *m, "a material has members that are not here");
+    memcpy(at, law, sizeof law);
+    return at + MATERIAL;
 }
 
 /* All that decides about the solution of s, whose outlines are as they were given: count numbers.
@@ -434,37 +452,27 @@ static size_t outline_content(const struct hobe_outline *o)
 static double *content_of(const struct shape *s, size_t *count, struct hobe_error *err)
 {
     const size_t parts = (size_t)s->parts.count * sizeof *s->parts.part / sizeof(double);
-    *count = 3 + parts;
+    const int materials = s->base.material ? s->base.regions : 0;
+    *count = 4 + parts + (size_t)(MATERIAL * materials);
     for (int r = 0; r < s->base.regions; r++)
-        *count += outline_content(s->outline + r) + (s->base.material ? MATERIAL : 0);
+        *count += outline_numbers(s->outline + r);
     double *content = hobe_alloc(*count, sizeof *content, err), *at = content;
     if (!content)
         return NULL;
     *at++ = s->paper;
-    *at++ = s->base.regions;
     *at++ = s->parts.count;
+    *at++ = s->base.regions;
+    *at++ = materials;
+    for (int r = 0; r < s->base.regions; r++)
+        at = write_outline(s->outline + r, at);
+    for (int r = 0; r < materials; r++)
+        at = write_material(s->base.material + r, at);
     memcpy(at, s->parts.part, parts * sizeof *at);
-    at += parts;
-    for (int r = 0; r < s->base.regions; r++) {
-        const struct hobe_outline *o = s->outline + r;
-        const struct hobe_material *m = s->base.material ? s->base.material + r : NULL;
-        const size_t points = (size_t)o->start[o->loops];
-        *at++ = o->loops;
-        for (int l = 0; l <= o->loops; l++)
-            *at++ = o->start[l];
-        memcpy(at, o->point, 2 * points * sizeof *at);
-        at += 2 * points;
-        if (m) {
-            const double law[MATERIAL] = {m->E, m->nu, m->rho, m->k2, m->k3, m->average_shear};
-            memcpy(at, law, sizeof law);
-            at += MATERIAL;
-        }
-    }
     return content;
 }
 
 /* A section with a text of its own that shares all else with those of the same content.  s has its
- * outline and is solved here if need be. */
+ * outlines and is solved here if need be. */
 static hobe_section *share(struct shape *s, struct hobe_error *err)
 {
     size_t count;

@@ -184,6 +184,11 @@ static void curves(void)
          -8 / (9 * M_PI), 8 / (9 * M_PI)},
         {"0 ARC 10 5 20 5 40 2 50 0 51 360", 4 * M_PI, 5, 5},
         {"0 CIRCLE 10 5 20 5 40 2 230 -1", 4 * M_PI, -5, 5},
+        /* with a frame on the sheet */
+        {"0 INSERT 67 1 2 frame 0 LWPOLYLINE 67 1 70 1 10 0 20 0 10 9 20 0 10 9 20 9 "
+         "0 CIRCLE 10 5 20 5 40 2 0 POLYLINE 67 1 70 1 0 VERTEX 67 1 10 0 20 0 0 VERTEX 67 1 "
+         "10 1 20 1 0 SEQEND 67 1",
+         4 * M_PI, 5, 5},
     };
     for (size_t i = 0; i < sizeof curve / sizeof *curve; i++) {
         double centroid[2];

@@ -80,6 +80,42 @@ static void outlines(void)
     check_that(solved, "what nobody uses is forgotten");
 }
 
+/* Two squares, the upper one of that modulus. */
+static hobe_section *composite(double E, int *solved)
+{
+    struct hobe_error err;
+    hobe_section *half = hobe_section_rectangle(1, 1, HOBE_WARPING_SERIES, &err);
+    if (!half)
+        check_stop("%s", err.message);
+    const struct hobe_section_part part[2] = {
+        {.section = half, .material = {.E = 2, .nu = .3, .k2 = 1, .k3 = 1}},
+        {.section = half, .material = {.E = E, .nu = .3, .k2 = 1, .k3 = 1}, .at = {0, 1}}};
+    hobe_fail_allocation(0);
+    hobe_section *section = hobe_section_composite(2, part, &err);
+    const long allocations = hobe_fail_allocation(0);
+    if (!section)
+        check_stop("%s", err.message);
+    *solved = allocations > 20;
+    printf("%ld allocations: %s\n", allocations, hobe_section_text(section));
+    hobe_section_free(half);
+    return section;
+}
+
+static void composites(void)
+{
+    int solved;
+    hobe_section *first = composite(1, &solved);
+    check_that(solved, "the first is solved");
+    hobe_section *second = composite(1, &solved);
+    check_that(!solved, "the second is not");
+    hobe_section *softer = composite(nextafter(1, 0), &solved);
+    check_that(solved, "one bit of a modulus makes another section");
+    same_section(first, second);
+    hobe_section_free(first);
+    hobe_section_free(second);
+    hobe_section_free(softer);
+}
+
 /* ---- threads -------------------------------------------------------------------------------- */
 
 enum { THREADS = 8, TURNS = 2000, CONTENTS = 3 };
@@ -167,6 +203,7 @@ static void failures(void)
 int main(void)
 {
     outlines();
+    composites();
     threads();
     failures();
     return check_report();
