@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bending shear: the functions wy and wz, the shear factors they give, and short cantilevers that
- * deflect by them; shear factors that act on the average strain and leave torsion alone. */
+ * deflect by them; shear factors that act on the average strain and leave torsion alone.  Looks
+ * into the core (section.h). */
 #include "check.h"
 #include "hobe.h"
 #include "homogeneous.h"
 #include "scene.h"
+#include "section.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -198,6 +200,48 @@ static void functions_of_a_tube(void)
     hobe_section_free(section);
 }
 
+/* In int E ..dA each function is orthogonal to 1, y, z and those before it, to round-off. */
+static void orthogonal(hobe_section *section)
+{
+    enum { FIRST = 3, ALL = FIRST + HOBE_SECTION_FUNCTIONS };
+    struct hobe_error err;
+    struct hobe_rule rule;
+    double G[ALL][ALL] = {{0}};
+    const struct hobe_kernel *kernel = hobe_find_kernel("MGD30w3", &err);
+    if (hobe_section_rule(section, kernel, HOBE_INTEGRATION_EXACT, NULL, &rule, &err))
+        check_stop("%s", err.message);
+    for (int p = 0; p < rule.rule.points; p++) {
+        const struct hobe_section_point *at = rule.point + p;
+        const double g[ALL] = {1, at->y, at->z, at->f[0][0], at->f[1][0], at->f[2][0]};
+        for (int i = 0; i < ALL; i++)
+            for (int j = 0; j < ALL; j++)
+                G[i][j] += at->weight * hobe_section_E(section, at->region) * g[i] * g[j];
+    }
+    for (int i = FIRST; i < ALL; i++)
+        for (int j = 0; j < i; j++)
+            check_absolute(G[i][j], 0, 1e-12 * sqrt(G[i][i] * G[j][j]) + 1e-300,
+                           "orthogonality %d %d, %s", i, j, hobe_section_text(section));
+    hobe_rule_free(&rule);
+    hobe_section_free(section);
+}
+
+static void functions_are_orthogonal(void)
+{
+    struct hobe_error err;
+    hobe_section *half = rectangle(.1, .1), *flange = rectangle(.3, .02);
+    const struct hobe_section_part part[] = {{half, {0, 0}, {E, NU, 0, 1, 1, 0}},
+                                             {flange, {.02, .06}, {E / 3, .2, 0, 1, 1, 0}}};
+    orthogonal(must(hobe_section_composite(2, part, &err), &err));
+    hobe_section_free(half);
+    hobe_section_free(flange);
+    orthogonal(rectangle(.1, .2));
+    orthogonal(circle(.05));
+    orthogonal(tube(.05, .01));
+    orthogonal(profile(HOBE_PROFILE_I, HOBE_WARPING_SOLVED));
+    orthogonal(profile(HOBE_PROFILE_CHANNEL, HOBE_WARPING_SOLVED));
+    orthogonal(profile(HOBE_PROFILE_ANGLE, HOBE_WARPING_SOLVED));
+}
+
 /* ---- beams ---------------------------------------------------------------------------------- */
 
 /* Of the tip of a cantilever that may warp, for a force along y and one along z through the shear
@@ -335,6 +379,7 @@ int main(void)
     factors_turn();
     functions_by_hand();
     functions_of_a_tube();
+    functions_are_orthogonal();
     beams_shear_as_their_sections();
     average_factors();
     paper_integration();
