@@ -34,8 +34,8 @@ local pulled = pull(2*L) - pull(L)                    -- what a second metre add
 local m = hobe.modal(scene{0, 0, 0}, { modes = 4 })
 local first = 1.8751040687119611^2 * math.sqrt(EI / ((steel.rho + brass.rho)*b*h)) / L^2
 
--- Shear (0.01 %), rotatory inertia, and the ends, where Poisson's contraction is disturbed, are not in
--- the closed forms.
+-- Shear (0.01 %), rotatory inertia, and the ends, where Poisson's contraction is disturbed, are not
+-- in the closed forms.
 hobe.report{
   axis   = { strip.zc, "m", expect = axis, within = 1e-9 },
   EI     = { steel.E * strip.Iyy, "N m^2", expect = EI, within = 1e-9 },
