@@ -4,7 +4,8 @@
 -- recovered from the paper's numbers), a channel, a T and an angle with walls of 4 mm.  Expected J
 -- of Fig. 7 and the Wagner constant: an independent finite element solution on other meshes.
 -- Thin-wall theory (Bredt for closed walls, sum of b t^3/3 for open ones, Vlasov for Iw and shear
--- centres) takes walls for lines: a few percent off where they are thick.
+-- centres) takes walls for lines: a few percent off where they are thick.  Shear factors ky, kz are
+-- those of the shear's energy without Poisson's coupling: 6/7 of a circle, 1/2 of a thin tube.
 local hobe = require "hobe"
 
 local I = hobe.I{ height = 0.215, width = 0.1, flange = 0.015, web = 0.01 }
@@ -15,11 +16,11 @@ local channel, T, angle = hobe.channel(thin), hobe.T(thin), hobe.angle(thin)
 local circle, tube = hobe.circle{ radius = 0.05 }, hobe.tube{ outer = 0.05, inner = 0.045 }
 
 local function row(name, s)
-  return { name, s.A, s.Iyy, s.Izz, s.Iyz, s.J, s.Iw, s.ys, s.zs, s.Wagner }
+  return { name, s.A, s.Iyy, s.Izz, s.Iyz, s.J, s.Iw, s.ys, s.zs, s.Wagner, s.ky, s.kz }
 end
 hobe.table{
   title = "Sections, about their centroids, m",
-  columns = { "", "A", "Iyy", "Izz", "Iyz", "J", "Iw", "ys", "zs", "Wagner" },
+  columns = { "", "A", "Iyy", "Izz", "Iyz", "J", "Iw", "ys", "zs", "Wagner", "ky", "kz" },
   rows = {
     row("I 215 x 100 x 15 x 10", I), row("hollow 160 x 80 x 10", hollow),
     row("box 250 x 50 x 5", box), row("channel 200 x 80 x 4", channel), row("T 200 x 80 x 4", T),
@@ -64,6 +65,7 @@ hobe.report{
   Iw_I     = { I.Iw,     "m^6", expect = 2.5e-8,     within = 5e-3 },
   Wagner_I = { I.Wagner, "m^6", expect = 8.904e-8,   within = 1e-4 },
   J_circle = { circle.J, "m^4", expect = math.pi * 0.05^4 / 2, within = 1e-12 },
+  ky_circle = { circle.ky, expect = 6/7, within = 1e-12 },
   shear_centre_channel = { channel.yc + channel.ys - t/2, "m",
                            expect = -3 * b^2 / (6*b + h), within = 1e-2 },
   eq34_I      = { closed(hobe.I, { height = 0.215, width = 0.1, flange = 0.015, web = 0.01 }) },

@@ -185,10 +185,35 @@ static enum hobe_status find_dropped(hobe_element *element,
     return HOBE_OK;
 }
 
-/* The rules of one station. */
+/* The rules of one station; the last two where the section has materials of its own. */
 struct rules {
-    struct hobe_rule section, axis;
+    struct hobe_rule section, axis, mean_normal, mean_shear;
 };
+
+static void free_rules(struct rules *rules)
+{
+    hobe_rule_free(&rules->section);
+    hobe_rule_free(&rules->axis);
+    hobe_rule_free(&rules->mean_normal);
+    hobe_rule_free(&rules->mean_shear);
+}
+
+/* The mean strains of a section of several materials: weighted with E, and with G.  About the
+ * centroid of EA bending then has no mean strain, and no uneven strain costs less than its mean
+ * (Cauchy and Schwarz), so that EA and EI are those of section theory. */
+static enum hobe_status set_means(const hobe_section *section, struct rules *rules,
+                                  struct hobe_error *err)
+{
+    enum hobe_status status = hobe_rule_copy(&rules->section, &rules->mean_normal, err);
+    if (!status)
+        status = hobe_rule_copy(&rules->section, &rules->mean_shear, err);
+    for (int p = 0; !status && p < rules->section.rule.points; p++) {
+        const int region = rules->section.point[p].region;
+        rules->mean_normal.point[p].weight *= hobe_section_E(section, region);
+        rules->mean_shear.point[p].weight *= hobe_section_G(section, region);
+    }
+    return status;
+}
 
 static enum hobe_status set_station(const hobe_element *element,
                                     const struct hobe_element_options *options, double xi,
@@ -202,13 +227,18 @@ static enum hobe_status set_station(const hobe_element *element,
     if (!status)
         status = hobe_axis_rule(options->section, element->kernel, options->integration, &place,
                                 &rules->axis, err);
+    const int own = hobe_section_material(options->section, 0) != NULL;
+    if (!status && own)
+        status = set_means(options->section, rules, err);
     struct hobe_section_properties p = {0};
     if (!status && element->mechanics == HOBE_MECHANICS_STRUCTURAL)
         status = hobe_section_properties_at(options->section, &place, &p, err);
     *station = (struct hobe_station){
         .rule = rules->section.rule,
-        .mean_normal = on_axis ? rules->axis.rule : rules->section.rule,
-        .mean_shear = rules->section.rule,
+        .mean_normal = on_axis ? rules->axis.rule
+                       : own   ? rules->mean_normal.rule
+                               : rules->section.rule,
+        .mean_shear = own ? rules->mean_shear.rule : rules->section.rule,
         .J = p.J,
         .shear_centre = {p.ys, p.zs},
     };
@@ -232,28 +262,52 @@ struct laws {
     struct hobe_law law;
 };
 
-/* The strain of the mean law is that of the whole section, whose law is the mean by area. */
+static const struct hobe_material *material_of(const struct hobe_element_options *options,
+                                               int region)
+{
+    const struct hobe_material *own = hobe_section_material(options->section, region);
+    return own ? own : &options->material;
+}
+
+/* The law of the mean strain: Poisson's coupling of the material that has the section's EA over A
+ * and the mean Poisson's ratio weighted with EA, so that EA and EI are the sums of the parts'
+ * whatever their ratios; the mean shear law is the sum of theirs. */
+static void set_mean(struct laws *laws, const struct hobe_element_options *options,
+                     enum hobe_mechanics mechanics, const double *share)
+{
+    struct hobe_material whole = *material_of(options, 0);
+    struct hobe_elasticity point, *mean = &laws->law.mean;
+    double EA = 0, nuEA = 0, shear[3] = {0, 0, 0};
+    for (int r = 0; r < laws->law.regions; r++) {
+        const struct hobe_material *m = material_of(options, r);
+        EA += share[r] * m->E;
+        nuEA += share[r] * m->E * m->nu;
+        hobe_material_law(m, mechanics, &point, mean);
+        for (int a = 0; a < 3; a++)
+            shear[a] += share[r] * mean->shear[a];
+    }
+    whole.E = EA;
+    whole.nu = nuEA / EA;
+    hobe_material_law(&whole, mechanics, &point, mean);
+    memcpy(mean->shear, shear, sizeof shear);
+}
+
 static void set_laws(struct laws *laws, const struct hobe_element_options *options,
                      enum hobe_mechanics mechanics, const struct hobe_section_rule *rule)
 {
-    double area[HOBE_MAX_REGIONS] = {0}, total = 0;
+    double share[HOBE_MAX_REGIONS] = {0}, total = 0;
+    struct hobe_elasticity mean;
     laws->law = (struct hobe_law){
         hobe_section_regions(options->section), laws->region, laws->density, {{{0}}, {0}}};
-    for (int p = 0; p < rule->points; p++) {
-        area[rule->point[p].region] += rule->point[p].weight;
+    for (int p = 0; p < rule->points; p++)
         total += rule->point[p].weight;
-    }
+    for (int p = 0; p < rule->points; p++)
+        share[rule->point[p].region] += rule->point[p].weight / total;
     for (int r = 0; r < laws->law.regions; r++) {
-        const struct hobe_material *own = hobe_section_material(options->section, r);
-        const struct hobe_material *material = own ? own : &options->material;
-        struct hobe_elasticity mean;
-        hobe_material_law(material, mechanics, laws->region + r, &mean);
-        laws->density[r] = material->rho;
-        for (int a = 0; a < 9; a++)
-            laws->law.mean.normal[a / 3][a % 3] += area[r] / total * mean.normal[a / 3][a % 3];
-        for (int a = 0; a < 3; a++)
-            laws->law.mean.shear[a] += area[r] / total * mean.shear[a];
+        hobe_material_law(material_of(options, r), mechanics, laws->region + r, &mean);
+        laws->density[r] = material_of(options, r)->rho;
     }
+    set_mean(laws, options, mechanics, share);
 }
 
 static enum hobe_status integrate(hobe_element *element, const struct hobe_element_options *options,
@@ -271,10 +325,8 @@ static enum hobe_status integrate(hobe_element *element, const struct hobe_eleme
         set_laws(&laws, options, element->mechanics, &station->rule);
         element->kernel->invariants(inv, gauss, sections, station, &laws.law, element->q0);
     }
-    for (int g = 0; g < sections; g++) {
-        hobe_rule_free(&rules[g].section);
-        hobe_rule_free(&rules[g].axis);
-    }
+    for (int g = 0; g < sections; g++)
+        free_rules(rules + g);
     return status;
 }
 

@@ -202,7 +202,11 @@ struct hobe_section_part {
  * div G grad psi_y = -E y, orthogonal in int E ..dA.  Of its properties A is geometric; those of
  * bending, Iw and Wagner are weighted with E/E_1, J and J_w with G/G_1, where part 1 is the
  * reference, so that EI is E_1 Iyy and GJ is G_1 J; in ky, kz and kyz G A is the sum over the
- * parts. The parts' shear factors k2, k3 do not enter. */
+ * parts.  The parts' shear factors k2, k3 do not enter.
+ *
+ * In a beam each region has its law; the strains that `average` and average_shear act on are means
+ * weighted with E, and with G, and Poisson's coupling is that of E the mean by area and nu the mean
+ * by EA: EA and EI are those of the transformed section whatever the ratios. */
 hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *part,
                                      struct hobe_error *err);
 

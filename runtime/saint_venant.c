@@ -187,28 +187,6 @@ static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_er
     return status;
 }
 
-enum hobe_status hobe_saint_venant(const hobe_section *section, const struct hobe_mesh *mesh,
-                                   double *values, double *energy, struct hobe_error *err)
-{
-    const size_t n = (size_t)mesh->nodes, all = HOBE_SECTION_FUNCTIONS * n;
-    struct matrix K;
-    double *b = hobe_alloc(all, sizeof *b, err);
-    enum hobe_status status = matrix_new(mesh, &K, err);
-    if (!status && b) {
-        assemble(section, mesh, &K, b);
-        matrix_compress(&K, mesh->nodes);
-        memcpy(values, b, all * sizeof *b);
-        status = solve(mesh->nodes, &K, values, err);
-    } else
-        status = HOBE_NO_MEMORY;
-    *energy = 0;
-    for (size_t i = 0; !status && i < n; i++)
-        *energy += values[HOBE_W * n + i] * b[HOBE_W * n + i];
-    matrix_free(&K);
-    hobe_free(b);
-    return status;
-}
-
 /* ---- smooth fields -------------------------------------------------------------------------- */
 
 struct hobe_extension {
@@ -397,4 +375,111 @@ enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *valu
         evaluate(mesh, t, values, L, at->f);
     }
     return HOBE_OK;
+}
+
+/* ---- orthogonality -------------------------------------------------------------------------- */
+
+/* Iw over I_p^2/A below which there is no w: w of 1e-10 of the section's size, in the square. */
+static const double NO_WARPING = 1e-20;
+
+/* The functions behind what they are made orthogonal to. */
+enum { ONE, Y, Z, FUNCTION, BASIS = FUNCTION + HOBE_SECTION_FUNCTIONS };
+
+/* G_ij = int E g_i g_j dA. */
+static void gram(const hobe_section *section, const struct hobe_rule *rule, double G[BASIS][BASIS])
+{
+    memset(G, 0, sizeof(double[BASIS][BASIS]));
+    for (int p = 0; p < rule->rule.points; p++) {
+        const struct hobe_section_point *at = rule->point + p;
+        const double weight = at->weight * hobe_section_E(section, at->region);
+        double g[BASIS] = {[ONE] = 1, [Y] = at->y, [Z] = at->z};
+        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
+            g[FUNCTION + f] = at->f[f][0];
+        for (int i = 0; i < BASIS; i++)
+            for (int j = 0; j < BASIS; j++)
+                G[i][j] += weight * g[i] * g[j];
+    }
+}
+
+static double product(double G[BASIS][BASIS], const double *a, const double *b)
+{
+    double sum = 0;
+    for (int i = 0; i < BASIS; i++)
+        for (int j = 0; j < BASIS; j++)
+            sum += a[i] * G[i][j] * b[j];
+    return sum;
+}
+
+/* Gram and Schmidt: sum_j T_ij g_j is g_i made orthogonal to those before it.  What rounding leaves
+ * of a section that does not warp is no function: T_ij = 0. */
+static void orthogonalise(double G[BASIS][BASIS], double T[BASIS][BASIS])
+{
+    const double none = NO_WARPING * pow(G[Y][Y] + G[Z][Z], 2) / G[ONE][ONE];
+    double square[BASIS];
+    for (int i = 0; i < BASIS; i++) {
+        for (int j = 0; j < BASIS; j++)
+            T[i][j] = i == j;
+        for (int k = 0; k < i; k++) {
+            const double part = square[k] > 0 ? product(G, T[i], T[k]) / square[k] : 0;
+            for (int j = 0; j <= k; j++)
+                T[i][j] -= part * T[k][j];
+        }
+        square[i] = product(G, T[i], T[i]);
+        if (i == FUNCTION + HOBE_W && square[i] < none) {
+            memset(T[i], 0, sizeof T[i]);
+            square[i] = 0;
+        }
+    }
+}
+
+/* Makes the functions orthogonal.  About its centre (ys, zs) the warping of a twist is
+ * w + zs y - ys z; orthogonal to y and z it does not bend, which is Trefftz's shear centre. */
+static enum hobe_status make_orthogonal(const hobe_section *section, const struct hobe_mesh *mesh,
+                                        double *values, double centre[2], struct hobe_error *err)
+{
+    struct hobe_rule rule;
+    double G[BASIS][BASIS], T[BASIS][BASIS];
+    const enum hobe_status status = hobe_mesh_rule(mesh, values, &rule, err);
+    if (status)
+        return status;
+    gram(section, &rule, G);
+    hobe_rule_free(&rule);
+    orthogonalise(G, T);
+    centre[0] = -T[FUNCTION + HOBE_W][Z];
+    centre[1] = T[FUNCTION + HOBE_W][Y];
+    for (int n = 0; n < mesh->nodes; n++) {
+        double g[BASIS] = {[ONE] = 1, [Y] = mesh->node[n][0], [Z] = mesh->node[n][1]};
+        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
+            g[FUNCTION + f] = values[f * mesh->nodes + n];
+        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++) {
+            double *value = values + f * mesh->nodes + n;
+            *value = 0;
+            for (int j = 0; j <= FUNCTION + f; j++)
+                *value += T[FUNCTION + f][j] * g[j];
+        }
+    }
+    return HOBE_OK;
+}
+
+enum hobe_status hobe_saint_venant(const hobe_section *section, const struct hobe_mesh *mesh,
+                                   double *values, double *energy, double centre[2],
+                                   struct hobe_error *err)
+{
+    const size_t n = (size_t)mesh->nodes, all = HOBE_SECTION_FUNCTIONS * n;
+    struct matrix K;
+    double *b = hobe_alloc(all, sizeof *b, err);
+    enum hobe_status status = matrix_new(mesh, &K, err);
+    if (!status && b) {
+        assemble(section, mesh, &K, b);
+        matrix_compress(&K, mesh->nodes);
+        memcpy(values, b, all * sizeof *b);
+        status = solve(mesh->nodes, &K, values, err);
+    } else
+        status = HOBE_NO_MEMORY;
+    *energy = 0;
+    for (size_t i = 0; !status && i < n; i++)
+        *energy += values[HOBE_W * n + i] * b[HOBE_W * n + i];
+    matrix_free(&K);
+    hobe_free(b);
+    return status ? status : make_orthogonal(section, mesh, values, centre, err);
 }

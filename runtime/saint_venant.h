@@ -6,15 +6,18 @@
 #include "section.h"
 #include "section_mesh.h"
 
-/* Nodal values of the three functions, each up to a constant, by quadratic finite elements:
+/* Nodal values of the three functions, values[HOBE_SECTION_FUNCTIONS][mesh->nodes], by quadratic
+ * finite elements:
  *
  *     HOBE_W             div G grad w = 0,           w_n = y n_z - z n_y on the outline;
  *     HOBE_WY, HOBE_WZ   -div G grad psi = E y, E z  psi_n = 0, solvable about the centroid,
  *
- * E and G over those of the first region; where regions meet G (grad w - (-z, y)) and G grad psi
- * keep their flux.  values[HOBE_SECTION_FUNCTIONS][mesh->nodes]; energy: int G |grad w|^2 dA. */
+ * with E and G over those of the first region; where regions meet, G (grad w - (-z, y)) and G grad
+ * psi keep their flux.  In int E ..dA w is made orthogonal to 1, y and z, psi_y to these and w,
+ * psi_z to all.  energy: int G |grad w|^2 dA; centre: the shear centre ys, zs. */
 enum hobe_status hobe_saint_venant(const hobe_section *section, const struct hobe_mesh *mesh,
-                                   double *values, double *energy, struct hobe_error *err);
+                                   double *values, double *energy, double centre[2],
+                                   struct hobe_error *err);
 
 /* Smooth fields on a mesh whose values at some nodes are given, those of the least
  * sum over the triangles of int |grad f|^2 dA / A (Stein, Tezduyar & Benney 2003). */

@@ -17,9 +17,6 @@ enum {
     MATERIAL = 6 /* numbers of a material */
 };
 
-/* Iw over I_p^2/A below which there is no w: w of 1e-10 of the section's size, in the square. */
-static const double NO_WARPING = 1e-20;
-
 /* ---- cubature ------------------------------------------------------------------------------- */
 
 static enum hobe_status gauss_points(int n, double (*gauss)[2], struct hobe_error *err)
@@ -236,79 +233,6 @@ static void set_extent(struct shape *s)
     s->base.properties.height = high[1] - low[1];
 }
 
-/* The functions behind what they are made orthogonal to. */
-enum { ONE, Y, Z, FUNCTION, BASIS = FUNCTION + HOBE_SECTION_FUNCTIONS };
-
-/* G_ij = int E g_i g_j dA. */
-static void gram(const struct shape *s, double G[BASIS][BASIS])
-{
-    memset(G, 0, sizeof(double[BASIS][BASIS]));
-    for (int p = 0; p < s->functions_rule.rule.points; p++) {
-        const struct hobe_section_point *at = s->functions_rule.point + p;
-        const double weight = at->weight * hobe_section_E(&s->base, at->region);
-        double g[BASIS] = {[ONE] = 1, [Y] = at->y, [Z] = at->z};
-        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
-            g[FUNCTION + f] = at->f[f][0];
-        for (int i = 0; i < BASIS; i++)
-            for (int j = 0; j < BASIS; j++)
-                G[i][j] += weight * g[i] * g[j];
-    }
-}
-
-static double product(double G[BASIS][BASIS], const double *a, const double *b)
-{
-    double sum = 0;
-    for (int i = 0; i < BASIS; i++)
-        for (int j = 0; j < BASIS; j++)
-            sum += a[i] * G[i][j] * b[j];
-    return sum;
-}
-
-/* Gram and Schmidt: sum_j T_ij g_j is g_i made orthogonal to those before it.  What rounding leaves
- * of a section that does not warp is no function: T_ij = 0. */
-static void orthogonalise(double G[BASIS][BASIS], double T[BASIS][BASIS])
-{
-    const double none = NO_WARPING * pow(G[Y][Y] + G[Z][Z], 2) / G[ONE][ONE];
-    double square[BASIS];
-    for (int i = 0; i < BASIS; i++) {
-        for (int j = 0; j < BASIS; j++)
-            T[i][j] = i == j;
-        for (int k = 0; k < i; k++) {
-            const double part = square[k] > 0 ? product(G, T[i], T[k]) / square[k] : 0;
-            for (int j = 0; j <= k; j++)
-                T[i][j] -= part * T[k][j];
-        }
-        square[i] = product(G, T[i], T[i]);
-        if (i == FUNCTION + HOBE_W && square[i] < none) {
-            memset(T[i], 0, sizeof T[i]);
-            square[i] = 0;
-        }
-    }
-}
-
-/* Makes the functions orthogonal.  About its centre (ys, zs) the warping of a twist is
- * w + zs y - ys z; orthogonal to y and z it does not bend, which is Trefftz's shear centre. */
-static void set_functions(struct shape *s)
-{
-    struct hobe_section_properties *p = &s->base.properties;
-    double G[BASIS][BASIS], T[BASIS][BASIS];
-    gram(s, G);
-    orthogonalise(G, T);
-    p->zs = T[FUNCTION + HOBE_W][Y];
-    p->ys = -T[FUNCTION + HOBE_W][Z];
-    for (int n = 0; n < s->mesh.nodes; n++) {
-        double g[BASIS] = {[ONE] = 1, [Y] = s->mesh.node[n][0], [Z] = s->mesh.node[n][1]};
-        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
-            g[FUNCTION + f] = s->values[f * s->mesh.nodes + n];
-        for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++) {
-            double *value = s->values + f * s->mesh.nodes + n;
-            *value = 0;
-            for (int j = 0; j <= FUNCTION + f; j++)
-                *value += T[FUNCTION + f][j] * g[j];
-        }
-    }
-}
-
 static void set_wagner(struct shape *s, const struct hobe_rule *fan)
 {
     struct hobe_section_properties *p = &s->base.properties;
@@ -347,19 +271,20 @@ static enum hobe_status set_warping(struct shape *s, struct hobe_error *err)
 
 enum hobe_status hobe_shape_solve(struct shape *s, struct hobe_error *err)
 {
-    double energy;
+    double energy, centre[2];
     s->values = hobe_alloc(HOBE_SECTION_FUNCTIONS * (size_t)s->mesh.nodes, sizeof *s->values, err);
     if (!s->values)
         return HOBE_NO_MEMORY;
-    enum hobe_status status = hobe_saint_venant(&s->base, &s->mesh, s->values, &energy, err);
+    enum hobe_status status =
+        hobe_saint_venant(&s->base, &s->mesh, s->values, &energy, centre, err);
     if (!status)
         status = hobe_mesh_rule(&s->mesh, s->values, &s->functions_rule, err);
     if (status)
         return status;
     s->base.properties.J -= energy;
-    set_functions(s);
-    hobe_rule_free(&s->functions_rule);
-    return hobe_mesh_rule(&s->mesh, s->values, &s->functions_rule, err);
+    s->base.properties.ys = centre[0];
+    s->base.properties.zs = centre[1];
+    return HOBE_OK;
 }
 
 /* Mesh, functions and everything that needs them. */

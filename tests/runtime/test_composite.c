@@ -3,6 +3,7 @@
  * closed forms; what is refused. */
 #include "check.h"
 #include "hobe.h"
+#include "homogeneous.h"
 #include "scene.h"
 
 #include <math.h>
@@ -243,6 +244,41 @@ static void core_in_a_tube(void)
     check_that(p.Iw == 0, "core and tube do not warp");
 }
 
+/* ---- beams ---------------------------------------------------------------------------------- */
+
+/* EA, EI and GJ of a beam are those of its section; the axis of EA does not couple them. */
+static void beams(void)
+{
+    static const char *const kernels[] = {"MGD30w", "MGD30w3", "3333w", "BE24w"};
+    static const struct hobe_material soft = {.E = 30e9, .nu = .1, .k2 = 1, .k3 = 1};
+    struct hobe_error err;
+    hobe_section *block = rectangle(.1, .1), *plate = rectangle(.2, .03);
+    const struct hobe_section_part part[] = {{block, {0, 0}, soft}, {plate, {.02, .065}, STEEL}};
+    hobe_section *section = must(hobe_section_composite(2, part, &err), &err);
+    const struct hobe_section_properties p = properties_of(section);
+    for (int k = 0; k < 4; k++) {
+        const struct hobe_element_options options = {
+            .kernel = hobe_find_kernel(kernels[k], &err), .section = section, .length = 1};
+        double C[HOMOGENEOUS][HOMOGENEOUS];
+        hobe_element *element = hobe_element_new(&options, &err);
+        if (!element)
+            check_stop("%s", err.message);
+        homogeneous_stiffness(element, C);
+        hobe_element_free(element);
+        check_relative(C[STRETCH][STRETCH], soft.E * .1 * .1 + STEEL.E * .2 * .03, 1e-9, "EA, %s",
+                       kernels[k]);
+        check_relative(C[BEND_Y][BEND_Y], soft.E * p.Iyy, 1e-9, "EIyy, %s", kernels[k]);
+        check_relative(C[BEND_Z][BEND_Z], soft.E * p.Izz, 1e-9, "EIzz, %s", kernels[k]);
+        check_relative(C[TWIST][TWIST], shear_modulus(&soft) * p.J_w, 1e-7, "GJ, %s", kernels[k]);
+        for (int bend = BEND_Y; bend <= BEND_Z; bend++)
+            check_absolute(C[STRETCH][bend] / sqrt(C[STRETCH][STRETCH] * C[bend][bend]), 0, 1e-10,
+                           "stretch bends, %s", kernels[k]);
+    }
+    hobe_section_free(section);
+    hobe_section_free(block);
+    hobe_section_free(plate);
+}
+
 /* ---- refusals ------------------------------------------------------------------------------- */
 
 static void refused(int parts, struct hobe_section_part *part, const char *words)
@@ -300,6 +336,7 @@ int main(void)
     parts_of_one_material();
     layers();
     core_in_a_tube();
+    beams();
     refusals();
     return check_report();
 }

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bending shear: the functions wy and wz, the shear factors they give, and short cantilevers that
- * deflect by them; shear factors that act on the average strain and leave torsion alone. */
+ * deflect by them; shear factors that act on the average strain and leave torsion alone.  Looks
+ * into the core (section.h). */
 #include "check.h"
 #include "hobe.h"
 #include "homogeneous.h"
 #include "scene.h"
+#include "section.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -198,6 +200,62 @@ static void functions_of_a_tube(void)
     hobe_section_free(section);
 }
 
+/* With the values of w, wy and wz. */
+static struct hobe_rule rule_of(const hobe_section *section)
+{
+    struct hobe_error err;
+    struct hobe_rule rule;
+    const struct hobe_kernel *kernel = hobe_find_kernel("MGD30w3", &err);
+    if (hobe_section_rule(section, kernel, HOBE_INTEGRATION_EXACT, NULL, &rule, &err))
+        check_stop("%s", err.message);
+    return rule;
+}
+
+/* A block with a wide plate on top, aside; the block is the reference. */
+static hobe_section *unsymmetric_composite(void)
+{
+    struct hobe_error err;
+    hobe_section *block = rectangle(.1, .1), *plate = rectangle(.2, .03);
+    const struct hobe_section_part part[] = {{block, {0, 0}, {E, NU, 0, 1, 1, 0}},
+                                             {plate, {.02, .065}, {E / 3, NU, 0, 1, 1, 0}}};
+    hobe_section *section = must(hobe_section_composite(2, part, &err), &err);
+    hobe_section_free(block);
+    hobe_section_free(plate);
+    return section;
+}
+
+/* In int E ..dA each function is orthogonal to 1, y, z and those before it, to round-off. */
+static void orthogonal(hobe_section *section)
+{
+    enum { FIRST = 3, ALL = FIRST + HOBE_SECTION_FUNCTIONS };
+    struct hobe_rule rule = rule_of(section);
+    double G[ALL][ALL] = {{0}};
+    for (int p = 0; p < rule.rule.points; p++) {
+        const struct hobe_section_point *at = rule.point + p;
+        const double g[ALL] = {1, at->y, at->z, at->f[0][0], at->f[1][0], at->f[2][0]};
+        for (int i = 0; i < ALL; i++)
+            for (int j = 0; j < ALL; j++)
+                G[i][j] += at->weight * hobe_section_E(section, at->region) * g[i] * g[j];
+    }
+    for (int i = FIRST; i < ALL; i++)
+        for (int j = 0; j < i; j++)
+            check_absolute(G[i][j], 0, 1e-12 * sqrt(G[i][i] * G[j][j]) + 1e-300,
+                           "orthogonality %d %d, %s", i, j, hobe_section_text(section));
+    hobe_rule_free(&rule);
+    hobe_section_free(section);
+}
+
+static void functions_are_orthogonal(void)
+{
+    orthogonal(unsymmetric_composite());
+    orthogonal(rectangle(.1, .2));
+    orthogonal(circle(.05));
+    orthogonal(tube(.05, .01));
+    orthogonal(profile(HOBE_PROFILE_I, HOBE_WARPING_SOLVED));
+    orthogonal(profile(HOBE_PROFILE_CHANNEL, HOBE_WARPING_SOLVED));
+    orthogonal(profile(HOBE_PROFILE_ANGLE, HOBE_WARPING_SOLVED));
+}
+
 /* ---- beams ---------------------------------------------------------------------------------- */
 
 /* Of the tip of a cantilever that may warp, for a force along y and one along z through the shear
@@ -226,6 +284,17 @@ static struct tip tip_under_force(const struct hobe_beam *beam)
     return tip;
 }
 
+/* int G dA; the reference of a composite section has G as all others. */
+static double shear_stiffness(const hobe_section *section)
+{
+    struct hobe_rule rule = rule_of(section);
+    double GA = 0;
+    for (int p = 0; p < rule.rule.points; p++)
+        GA += rule.point[p].weight * hobe_section_G(section, rule.point[p].region);
+    hobe_rule_free(&rule);
+    return shear_modulus() * GA;
+}
+
 /* The growth of the tip's shear with the beam's length is K/(G A), K = [1/ky kyz; kyz 1/kz], that
  * of its twist nothing.  The ends take their share, for a force on the axis is not the stress of
  * bending shear: the same in a beam twice as long, once their warping has decayed.  It has to 1e-6
@@ -233,7 +302,7 @@ static struct tip tip_under_force(const struct hobe_beam *beam)
 static void deflects(const char *element, hobe_section *section, int elements, double tolerance)
 {
     const struct hobe_section_properties p = properties_of(section);
-    const double L = 4 * fmax(p.width, p.height), GA = shear_modulus() * p.A;
+    const double L = 4 * fmax(p.width, p.height), GA = shear_stiffness(section);
     const double expected[2][2] = {{1 / p.ky, p.kyz}, {p.kyz, 1 / p.kz}};
     const struct hobe_beam beam = beam_along_x(element, elements, section, E, NU, L),
                            twice = beam_along_x(element, 2 * elements, section, E, NU, 2 * L);
@@ -262,6 +331,7 @@ static void beams_shear_as_their_sections(void)
     deflects("MGD30w3", hollow(.16, .08, .01), 4, 1e-5);
     deflects("MGD30w3", profile(HOBE_PROFILE_CHANNEL, HOBE_WARPING_SOLVED), 4, 5e-4);
     deflects("MGD30w3", profile(HOBE_PROFILE_ANGLE, HOBE_WARPING_SOLVED), 4, 5e-4);
+    deflects("MGD30w3", unsymmetric_composite(), 4, 5e-4);
     /* a quadratic axis holds the cubic deflection by elements only */
     deflects("3333w3", rectangle(.1, .2), 16, 1e-2);
     deflects("3333w3", profile(HOBE_PROFILE_I, HOBE_WARPING_SOLVED), 16, 1e-2);
@@ -335,6 +405,7 @@ int main(void)
     factors_turn();
     functions_by_hand();
     functions_of_a_tube();
+    functions_are_orthogonal();
     beams_shear_as_their_sections();
     average_factors();
     paper_integration();
