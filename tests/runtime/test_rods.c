@@ -71,7 +71,7 @@ static void shape_place(const void *context, double t, struct rod_place *place)
 
 /* ---- one beam -------------------------------------------------------------------------------- */
 
-/* u and rotation of the end under F and M there, which make it move by about 1e-8 m. */
+/* The end's motion under F and M there. */
 static struct rod_tip beam_tip(const char *element, int elements, const struct shape *shape,
                                const double F[3], const double M[3])
 {
@@ -102,7 +102,7 @@ static struct rod_tip rod_end(const struct shape *shape, const double F[3], cons
     return tip;
 }
 
-/* Beam over rod less one, of the displacement and the rotation; the difference, as vectors. */
+/* How far displacement and rotation of the beam are from the rod's, over theirs. */
 static void differences(const char *element, int elements, struct shape shape, const double F[3],
                         const double M[3], double off[2][3])
 {
@@ -165,9 +165,9 @@ static void rings(void)
 {
     const struct shape ring = {.R = 1, .angle = M_PI / 2, .width = 0.02, .height = 0.03};
     const double in_plane[3] = {2, 1, 0}, across[3] = {0, 0, 1}, M[3] = {1, 2, 3};
-    becomes_rod("MGD30w", 24, ring, in_plane, NONE, 2e-6, "ring, in its plane");
-    becomes_rod("MGD30w", 24, ring, across, NONE, 2e-6, "ring, out of its plane");
-    becomes_rod("3433w", 16, ring, NONE, M, 2e-6, "ring, moment");
+    becomes_rod("MGD30w", 48, ring, in_plane, NONE, 5e-7, "ring, in its plane");
+    becomes_rod("MGD30w", 48, ring, across, NONE, 5e-7, "ring, out of its plane");
+    becomes_rod("3433w", 32, ring, NONE, M, 5e-7, "ring, moment");
 }
 
 static void strips(void)
@@ -176,9 +176,9 @@ static void strips(void)
     struct shape turns = quarter;
     turns.twist = 6 * M_PI;
     const double F[3] = {0, 1, 2}, M[3] = {0, 2, 1};
-    becomes_rod("3433w", 16, quarter, F, NONE, 1e-6, "strip, a quarter turn");
-    becomes_rod("MGD30w", 16, quarter, F, M, 1e-6, "strip, a quarter turn");
-    becomes_rod("3433w", 64, turns, F, M, 1e-6, "strip, three turns");
+    becomes_rod("3433w", 64, quarter, F, NONE, 5e-7, "strip, a quarter turn");
+    becomes_rod("MGD30w", 64, quarter, F, M, 1e-6, "strip, a quarter turn");
+    becomes_rod("3433w", 256, turns, F, M, 1e-6, "strip, three turns");
 }
 
 /* ---- joins ----------------------------------------------------------------------------------- */
