@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes with a tapered and with a curved beam while the n-th of the library's own allocations
+/* A scene with a beam that is curved, and tapered, while the n-th of the library's own allocations
  * fails, n = 1, 2, ...: each time "out of memory", and nothing is leaked (the sanitizer looks). */
 #include "check.h"
 #include "hobe.h"
@@ -55,7 +55,7 @@ static enum hobe_status go(struct run *run, int tapered, int curved, struct hobe
         return err->status;
     const struct hobe_beam beam = {.name = "beam",
                                    .kernel = hobe_find_kernel("BE24w", err),
-                                   .elements = 2,
+                                   .elements = 1,
                                    .section = run->section,
                                    .material = {.E = 70e9, .nu = 0.3, .k2 = 1, .k3 = 1},
                                    .to = {1, 0, 0},
@@ -103,7 +103,6 @@ static void fails(int tapered, int curved, const char *what)
 
 int main(void)
 {
-    fails(1, 0, "tapered");
     fails(0, 1, "curved");
     fails(1, 1, "tapered and curved");
     return check_report();
