@@ -366,7 +366,8 @@ struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle
 hobe_model *hobe_model_new(struct hobe_error *err);
 void hobe_model_free(hobe_model *model);
 
-/* Each adds a copy of one item; names are resolved by hobe_model_build. */
+/* Each adds a copy of one item; names are resolved by hobe_model_build, after which HOBE_BAD_INPUT
+ * refuses more. */
 enum hobe_status hobe_model_beam(hobe_model *, const struct hobe_beam *, struct hobe_error *);
 enum hobe_status hobe_model_clamp(hobe_model *, const struct hobe_clamp *, struct hobe_error *);
 enum hobe_status hobe_model_force(hobe_model *, const struct hobe_force *, struct hobe_error *);

@@ -93,8 +93,21 @@ static int not_finite(const double *x, int n)
     return 0;
 }
 
-static enum hobe_status check_at(double at, const char *where, struct hobe_error *err)
+/* What comes after the build would not be heard. */
+static enum hobe_status check_open(const hobe_model *model, const char *where,
+                                   struct hobe_error *err)
 {
+    if (!model->built && !model->failed)
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, where,
+                     "the scene is built already; add beams, supports and loads before");
+}
+
+static enum hobe_status check_at(const hobe_model *model, double at, const char *where,
+                                 struct hobe_error *err)
+{
+    if (check_open(model, where, err))
+        return HOBE_BAD_INPUT;
     if (at >= 0 && at <= 1)
         return HOBE_OK;
     return hobe_fail(err, HOBE_BAD_INPUT, where,
@@ -118,6 +131,8 @@ static const struct beam *find_lender(void *context, const struct beam *beam)
 enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec,
                                  struct hobe_error *err)
 {
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
     for (size_t i = 0; i < model->beams.count; i++)
         if (strcmp(model_beam(model, i)->name, spec->name) == 0)
             return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
@@ -166,7 +181,7 @@ static enum hobe_status add_item(struct list *list, const void *item, size_t siz
 enum hobe_status hobe_model_clamp(hobe_model *model, const struct hobe_clamp *spec,
                                   struct hobe_error *err)
 {
-    if (check_at(spec->at, spec->where, err))
+    if (check_at(model, spec->at, spec->where, err))
         return HOBE_BAD_INPUT;
     return add_item(&model->clamps, spec, sizeof *spec, offsetof(struct hobe_clamp, beam), 1, err);
 }
@@ -174,7 +189,7 @@ enum hobe_status hobe_model_clamp(hobe_model *model, const struct hobe_clamp *sp
 enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *spec,
                                   struct hobe_error *err)
 {
-    if (check_at(spec->at, spec->where, err))
+    if (check_at(model, spec->at, spec->where, err))
         return HOBE_BAD_INPUT;
     if (not_finite(spec->value, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where, "a force must be finite (N)");
@@ -184,7 +199,7 @@ enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *sp
 enum hobe_status hobe_model_moment(hobe_model *model, const struct hobe_moment *spec,
                                    struct hobe_error *err)
 {
-    if (check_at(spec->at, spec->where, err))
+    if (check_at(model, spec->at, spec->where, err))
         return HOBE_BAD_INPUT;
     if (not_finite(spec->value, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where, "a moment must be finite (N m)");
@@ -195,12 +210,16 @@ enum hobe_status hobe_model_moment(hobe_model *model, const struct hobe_moment *
 enum hobe_status hobe_model_join(hobe_model *model, const struct hobe_join *spec,
                                  struct hobe_error *err)
 {
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
     return add_item(&model->joins, spec, sizeof *spec, offsetof(struct hobe_join, beam), 2, err);
 }
 
 enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const double g[3],
                                     struct hobe_error *err)
 {
+    if (check_open(model, where, err))
+        return HOBE_BAD_INPUT;
     if (not_finite(g, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, where, "gravity must be finite (m/s^2)");
     for (int a = 0; a < 3; a++)

@@ -203,7 +203,8 @@ static enum outcome attempt(struct solver *s, double factor, struct hobe_error *
         if (outcome == ERROR)
             return ERROR;
         if (outcome == CONVERGED) {
-            s->info.smallest_volume = solution_smallest_volume(s->model, s->u);
+            if (solution_smallest_volume(s->model, s->u, &s->info.smallest_volume, err))
+                return ERROR;
             if (s->info.smallest_volume > 0)
                 return CONVERGED;
             log_line(s, "turned inside out");

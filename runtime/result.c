@@ -96,60 +96,58 @@ static void gradient(const struct around *p, double F[3][3])
         }
 }
 
-/* The section modes at the places of a section where the volume is watched: their number, or -1. */
-static int probe_modes(struct place place, struct around *p,
-                       double phi[HOBE_PROBES][HOBE_MAX_MODES][4])
+/* The section modes at the places of a section where the volume is watched. */
+static enum hobe_status probe_modes(struct place place, struct around *p,
+                                    double phi[HOBE_PROBES][HOBE_MAX_MODES][4],
+                                    struct hobe_error *err)
 {
     const struct hobe_section *section = place.beam->spec.section;
     const struct hobe_section_place at = section_place(place);
     double probe[HOBE_PROBES][2];
-    if (hobe_section_probes_at(section, &at, probe, NULL))
-        return -1;
-    for (int c = 0; c < section->probes; c++) {
-        if (set_modes(place, probe[c][0], probe[c][1], p, NULL))
-            return -1;
+    enum hobe_status status = hobe_section_probes_at(section, &at, probe, err);
+    for (int c = 0; !status && c < section->probes; c++) {
+        status = set_modes(place, probe[c][0], probe[c][1], p, err);
         memcpy(phi[c], p->phi, sizeof p->phi);
     }
-    return section->probes;
+    return status;
 }
 
-/* The least det F over the stations of a beam; NaN where a section cannot be had. */
-static double smallest_volume(const hobe_model *model, const struct beam *beam, const double *u)
+/* The least det F over the stations of a beam, where that is less than *smallest. */
+static enum hobe_status smallest_volume(const hobe_model *model, const struct beam *beam,
+                                        const double *u, double *smallest, struct hobe_error *err)
 {
-    const int varies = hobe_section_varies(beam->spec.section);
-    double phi[HOBE_PROBES][HOBE_MAX_MODES][4], smallest = INFINITY;
+    const struct hobe_section *section = beam->spec.section;
+    const int varies = hobe_section_varies(section);
+    double phi[HOBE_PROBES][HOBE_MAX_MODES][4];
     struct around p = {.kernel = beam->kernel};
-    int probes = -1;
     for (int e = 0; e < beam->spec.elements; e++) {
         const struct hobe_invariants *inv = hobe_element_invariants(beam_law(beam, e));
         for (int g = 0; g < inv->stations; g++) {
             const struct place place = {beam, e, inv->xi[g]};
-            if (varies || probes < 0)
-                probes = probe_modes(place, &p, phi);
-            if (probes < 0)
-                return NAN;
+            const enum hobe_status status =
+                varies || (e == 0 && g == 0) ? probe_modes(place, &p, phi, err) : HOBE_OK;
+            if (status)
+                return status;
             look_around(model, u, place, &p);
-            for (int c = 0; c < probes; c++) {
+            for (int c = 0; c < section->probes; c++) {
                 double F[3][3];
                 memcpy(p.phi, phi[c], sizeof p.phi);
                 gradient(&p, F);
-                smallest = fmin(smallest, determinant(F));
+                *smallest = fmin(*smallest, determinant(F));
             }
         }
     }
-    return smallest;
+    return HOBE_OK;
 }
 
-double solution_smallest_volume(const hobe_model *model, const double *u)
+enum hobe_status solution_smallest_volume(const hobe_model *model, const double *u,
+                                          double *smallest, struct hobe_error *err)
 {
-    double smallest = INFINITY;
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const double volume = smallest_volume(model, model_beam(model, i), u);
-        if (isnan(volume))
-            return volume;
-        smallest = fmin(smallest, volume);
-    }
-    return smallest;
+    enum hobe_status status = HOBE_OK;
+    *smallest = INFINITY;
+    for (size_t i = 0; !status && i < model->beams.count; i++)
+        status = smallest_volume(model, model_beam(model, i), u, smallest, err);
+    return status;
 }
 
 /* The rotation vector of the rotation R. */

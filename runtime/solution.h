@@ -11,9 +11,10 @@ struct hobe_solution {
     struct hobe_solution_info info;
 };
 
-/* min det F over the stations of all elements and the corners and centre of their sections: the
- * deformation has turned inside out where it is not positive. */
-double solution_smallest_volume(const hobe_model *model, const double *u);
+/* *smallest = min det F over the stations of all elements and the corners and centre of their
+ * sections: the deformation has turned inside out where it is not positive. */
+enum hobe_status solution_smallest_volume(const hobe_model *model, const double *u,
+                                          double *smallest, struct hobe_error *err);
 
 /* Displacement at a place of a beam, as in hobe_solution_point, of the field vectors[..][3]. */
 enum hobe_status solution_displacement(const hobe_model *model, const double *vectors,

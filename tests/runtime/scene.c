@@ -19,6 +19,26 @@ hobe_section *rectangle(double width, double height)
     return section;
 }
 
+hobe_section *tapered(hobe_section *from, hobe_section *to)
+{
+    struct hobe_error err;
+    hobe_section *section = hobe_section_linear(from, to, &err);
+    expect_ok(section ? HOBE_OK : err.status, &err);
+    hobe_section_free(from);
+    hobe_section_free(to);
+    return section;
+}
+
+hobe_curve *curve_of(hobe_function *point, hobe_function *twist, void *context)
+{
+    struct hobe_error err;
+    hobe_curve *curve = hobe_curve_function(point, context, &err);
+    expect_ok(curve ? HOBE_OK : err.status, &err);
+    if (twist)
+        expect_ok(hobe_curve_twist(curve, twist, context, &err), &err);
+    return curve;
+}
+
 struct hobe_section_properties properties_of(const hobe_section *section)
 {
     struct hobe_section_properties p;
@@ -129,6 +149,33 @@ struct hobe_point tip_of(hobe_model *model, int steps)
     hobe_solution_free(solution);
     hobe_model_free(model);
     return tip;
+}
+
+hobe_modes *modes_of(hobe_model *model, const hobe_solution *state, int count,
+                     enum hobe_modal_method method)
+{
+    struct hobe_error err;
+    hobe_modes *modes;
+    const struct hobe_modal_options options = {.modes = count, .method = method};
+    if (hobe_modal(model, state, &options, &modes, &err))
+        check_stop("hobe_modal: %s", err.message);
+    return modes;
+}
+
+struct hobe_mode mode_of(const hobe_modes *modes, int i)
+{
+    struct hobe_error err;
+    struct hobe_mode mode;
+    if (hobe_modes_mode(modes, i, &mode, &err))
+        check_stop("hobe_modes_mode: %s", err.message);
+    return mode;
+}
+
+struct hobe_modes_info modes_info(const hobe_modes *modes)
+{
+    struct hobe_modes_info info;
+    hobe_modes_info(modes, &info);
+    return info;
 }
 
 double norm(const double a[3])

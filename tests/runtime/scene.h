@@ -9,6 +9,12 @@
 hobe_section *rectangle(double width, double height);
 struct hobe_section_properties properties_of(const hobe_section *section);
 
+/* A section that goes linearly from one to the other, which it frees. */
+hobe_section *tapered(hobe_section *from, hobe_section *to);
+
+/* The curve of a function, and with a twist unless NULL; both with the same context. */
+hobe_curve *curve_of(hobe_function *point, hobe_function *twist, void *context);
+
 /* A beam "beam" of `elements` elements along x from the origin, k2 = k3 = 1, no density. */
 struct hobe_beam beam_along_x(const char *element, int elements, const hobe_section *section,
                               double E, double nu, double length);
@@ -33,6 +39,12 @@ struct hobe_point point_of(const hobe_solution *solution, const char *beam, doub
 
 /* Solves, gives the point on the axis of "beam" at its end, and frees solution and model. */
 struct hobe_point tip_of(hobe_model *model, int steps);
+
+/* The first modes about a state, NULL: the reference. */
+hobe_modes *modes_of(hobe_model *model, const hobe_solution *state, int count,
+                     enum hobe_modal_method method);
+struct hobe_modes_info modes_info(const hobe_modes *modes);
+struct hobe_mode mode_of(const hobe_modes *modes, int i);
 
 /* |a - b| and |a| of three. */
 double distance(const double a[3], const double b[3]);

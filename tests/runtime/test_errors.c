@@ -377,6 +377,33 @@ static void long_lists(void)
     bad_scene(model, HOBE_UNKNOWN, "no beam \"none\"");
 }
 
+/* What is added to a model that is built, or could not be, would not count. */
+static void too_late(int fails)
+{
+    const struct hobe_beam beam = beam_along_x("BE24", 1, section, 70e9, 0.3, 1);
+    struct hobe_beam other = beam;
+    hobe_model *model = cantilever(&beam, 0);
+    struct hobe_error err[6];
+    for (int i = 0; i < 6; i++)
+        err[i] = fresh();
+    if (fails)
+        add_force(model, "beem", 1, 0, 0, 1);
+    check_that(!hobe_model_build(model, err) == !fails, "the build: %s", err->message);
+    other.name = "other";
+    other.where = TAG;
+    const enum hobe_status status[6] = {
+        hobe_model_beam(model, &other, err),
+        hobe_model_clamp(model, &(struct hobe_clamp){TAG, "beam", 0, 0}, err + 1),
+        hobe_model_force(model, &(struct hobe_force){TAG, "beam", 0, {0}, 0}, err + 2),
+        hobe_model_moment(model, &(struct hobe_moment){TAG, "beam", 0, {0}}, err + 3),
+        hobe_model_join(model, &(struct hobe_join){TAG, {"beam", "other"}, {1, 0}}, err + 4),
+        hobe_model_gravity(model, TAG, (const double[3]){0, 0, -9.81}, err + 5),
+    };
+    for (int i = 0; i < 6; i++)
+        refused(status[i], HOBE_BAD_INPUT, err + i, TAG, "built already");
+    hobe_model_free(model);
+}
+
 static void words_of_statuses(void)
 {
     for (int s = 0; s < HOBE_STATUSES; s++)
@@ -406,6 +433,8 @@ int main(void)
     bad_points();
     bad_lengths();
     long_lists();
+    too_late(0);
+    too_late(1);
     words_of_statuses();
     hobe_section_free(section);
     return check_report();

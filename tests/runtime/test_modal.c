@@ -11,39 +11,12 @@ static const double PI = 3.14159265358979323846;
 
 /* ---- helpers --------------------------------------------------------------------------------- */
 
-static hobe_modes *modes_of(hobe_model *model, const hobe_solution *state, int count,
-                            enum hobe_modal_method method)
-{
-    struct hobe_error err;
-    hobe_modes *modes;
-    const struct hobe_modal_options options = {.modes = count, .method = method};
-    if (hobe_modal(model, state, &options, &modes, &err))
-        check_stop("hobe_modal: %s", err.message);
-    return modes;
-}
-
-static struct hobe_mode mode_of(const hobe_modes *modes, int i)
-{
-    struct hobe_error err;
-    struct hobe_mode mode;
-    if (hobe_modes_mode(modes, i, &mode, &err))
-        check_stop("hobe_modes_mode: %s", err.message);
-    return mode;
-}
-
 static void shape_at(const hobe_modes *modes, int i, const char *beam, double at, double y,
                      double z, double u[3])
 {
     struct hobe_error err;
     if (hobe_modes_point(modes, i, beam, at, y, z, u, &err))
         check_stop("hobe_modes_point: %s", err.message);
-}
-
-static struct hobe_modes_info modes_info(const hobe_modes *modes)
-{
-    struct hobe_modes_info info;
-    hobe_modes_info(modes, &info);
-    return info;
 }
 
 /* What a mode of a beam along x does most at its end: 'x', 'y', 'z' or 't' (torsion). */
