@@ -127,7 +127,7 @@ static void free_profile(struct profile *p)
 static enum hobe_status make_profile(const struct hobe_surface *face, double spacing,
                                      struct profile *p, struct hobe_error *err)
 {
-    const size_t edges = (size_t)face->edges;
+    const size_t edges = (size_t)face->outline;
     int *follows = hobe_alloc((size_t)face->points, sizeof *follows, err);
     *p = (struct profile){.at = hobe_alloc(edges, sizeof *p->at, err),
                           .next = hobe_alloc(edges, sizeof *p->next, err),
@@ -138,7 +138,7 @@ static enum hobe_status make_profile(const struct hobe_surface *face, double spa
         return HOBE_NO_MEMORY;
     }
     memset(follows, -1, (size_t)face->points * sizeof *follows);
-    for (int e = 0; e < face->edges; e++)
+    for (int e = 0; e < face->outline; e++)
         follows[face->edge[e][0]] = face->edge[e][1];
     for (int i = 0; i < face->points; i++)
         if (follows[i] >= 0)

@@ -132,7 +132,7 @@ static enum hobe_status surface(const hobe_section *section, int fineness,
         surface->point[p][2] = r * sin(angle);
     }
     if (!status && ring->inner == 0)
-        surface->edges = turn;
+        surface->edges = surface->outline = turn;
     return status;
 }
 

@@ -27,36 +27,69 @@ enum hobe_status hobe_surface_grid(int rows, int columns, int wrapped, struct ho
         hobe_surface_edge(surface, i * n + columns, (i + 1) * n + columns);
         hobe_surface_edge(surface, (i + 1) * n, i * n);
     }
+    surface->outline = surface->edges;
     return HOBE_OK;
 }
 
-/* A side of the mesh on its boundary belongs to one triangle, as does the node in its middle. */
+/* What a side of a triangle is, told by the node in its middle; or 1 + the region of the one
+ * triangle that has it, which makes it a part of the outline. */
+enum { INNER = -1, SEAM = -2 };
+
+/* Sets side[nodes]; counts those of the outline and between regions. */
+static void sort_sides(const struct hobe_mesh *mesh, int *side, int *outline, int *seams)
+{
+    *outline = *seams = 0;
+    for (int t = 0; t < mesh->triangles; t++)
+        for (int k = 3; k < 6; k++) {
+            int *s = side + mesh->triangle[t][k];
+            const int same = *s == mesh->region[t] + 1;
+            *outline += *s ? -1 : 1;
+            *seams += *s && !same;
+            *s = !*s ? mesh->region[t] + 1 : same ? INNER : SEAM;
+        }
+}
+
+static void add_side(const int *node, int k, struct hobe_surface *surface)
+{
+    hobe_surface_edge(surface, node[k], node[3 + k]);
+    hobe_surface_edge(surface, node[3 + k], node[(k + 1) % 3]);
+}
+
+static void fill(const struct hobe_mesh *mesh, int *side, struct hobe_surface *s)
+{
+    for (int i = 0; i < mesh->nodes; i++)
+        memcpy(s->point[s->points++] + 1, mesh->node[i], sizeof mesh->node[i]);
+    for (int t = 0; t < mesh->triangles; t++) {
+        const int *n = mesh->triangle[t];
+        hobe_surface_triangle(s, n[0], n[3], n[5]);
+        hobe_surface_triangle(s, n[3], n[1], n[4]);
+        hobe_surface_triangle(s, n[5], n[4], n[2]);
+        hobe_surface_triangle(s, n[3], n[4], n[5]);
+        for (int k = 0; k < 3; k++)
+            if (side[n[3 + k]] > 0)
+                add_side(n, k, s);
+    }
+    s->outline = s->edges;
+    for (int t = 0; t < mesh->triangles; t++)
+        for (int k = 0; k < 3; k++)
+            if (side[mesh->triangle[t][3 + k]] == SEAM) {
+                add_side(mesh->triangle[t], k, s);
+                side[mesh->triangle[t][3 + k]] = INNER; /* once */
+            }
+}
+
 enum hobe_status hobe_surface_mesh(const struct hobe_mesh *mesh, struct hobe_surface *surface,
                                    struct hobe_error *err)
 {
-    int *uses = hobe_alloc((size_t)mesh->nodes, sizeof *uses, err), boundary = 0;
-    if (!uses)
+    int *side = hobe_alloc((size_t)mesh->nodes, sizeof *side, err), outline, seams;
+    if (!side)
         return HOBE_NO_MEMORY;
-    for (int t = 0; t < mesh->triangles; t++)
-        for (int k = 3; k < 6; k++)
-            boundary += uses[mesh->triangle[t][k]]++ ? -1 : 1;
+    sort_sides(mesh, side, &outline, &seams);
     const enum hobe_status status =
-        hobe_surface_grow(surface, mesh->nodes, 4 * mesh->triangles, 2 * boundary, err);
-    for (int t = 0; !status && t < mesh->triangles; t++) {
-        const int *n = mesh->triangle[t];
-        hobe_surface_triangle(surface, n[0], n[3], n[5]);
-        hobe_surface_triangle(surface, n[3], n[1], n[4]);
-        hobe_surface_triangle(surface, n[5], n[4], n[2]);
-        hobe_surface_triangle(surface, n[3], n[4], n[5]);
-        for (int k = 0; k < 3; k++)
-            if (uses[n[3 + k]] == 1) {
-                hobe_surface_edge(surface, n[k], n[3 + k]);
-                hobe_surface_edge(surface, n[3 + k], n[(k + 1) % 3]);
-            }
-    }
-    for (int i = 0; !status && i < mesh->nodes; i++)
-        memcpy(surface->point[surface->points++] + 1, mesh->node[i], sizeof mesh->node[i]);
-    hobe_free(uses);
+        hobe_surface_grow(surface, mesh->nodes, 4 * mesh->triangles, 2 * (outline + seams), err);
+    if (!status)
+        fill(mesh, side, surface);
+    hobe_free(side);
     return status;
 }
 
@@ -80,7 +113,7 @@ enum hobe_status hobe_section_surface(const hobe_section *section, int fineness,
 /* A wall from each edge of the outline to x = depth, where nothing moves. */
 static enum hobe_status add_walls(struct hobe_surface *s, double depth, struct hobe_error *err)
 {
-    const int edges = s->edges;
+    const int edges = s->outline;
     if (hobe_surface_grow(s, 2 * edges, 2 * edges, edges, err))
         return HOBE_NO_MEMORY;
     for (int e = 0; e < edges; e++) {

@@ -13,6 +13,7 @@ struct hobe_surface {
     double *value;             /* [points] of a field */
     int (*triangle)[3];        /* anticlockwise seen from outside */
     int (*edge)[2];
+    int outline; /* of a section: so many edges come first that bound it */
 };
 
 /* Room for so many more, zero and not counted before they are added.  What is there stays on
@@ -32,7 +33,8 @@ double hobe_surface_scale(const struct hobe_surface *surface, double fraction);
 /* ---- of sections (section_surface.c) -------------------------------------------------------- */
 
 /* A section in its plane (one that varies along the beam: that at its start): points (0, y, z), the
- * triangles' normals along +x, the edges of its outline with the material on their left, values 0.
+ * triangles' normals along +x, edges along its outline with the material on their left, then those
+ * between the parts of a composite one; values 0.
  * Outlines have the triangles of their mesh, each split in four; rectangles and rings a grid of
  * `fineness` (>= 1) cells along a side or an eighth of a turn. */
 enum hobe_status hobe_section_surface(const hobe_section *section, int fineness,

@@ -164,11 +164,11 @@ static double section_area(const struct hobe_surface *s, const char *name)
     return area;
 }
 
-/* Edges run around the material: their shoelace sum is the area, too. */
+/* The outline runs around the material: its shoelace sum is the area, too. */
 static double outline_area(const struct hobe_surface *s)
 {
     double area = 0;
-    for (int e = 0; e < s->edges; e++) {
+    for (int e = 0; e < s->outline; e++) {
         const double *a = s->point[s->edge[e][0]], *b = s->point[s->edge[e][1]];
         area += (a[1] * b[2] - b[1] * a[2]) / 2;
     }
@@ -202,6 +202,29 @@ static double share(int i)
 {
     const double t = M_PI / (4 * FINENESS);
     return i == 1 || i == 2 ? sin(t) / t : 1;
+}
+
+/* Two materials side by side: a line where they touch. */
+static void check_composite(void)
+{
+    struct hobe_error err;
+    const struct hobe_material steel = {.E = 210e9, .nu = 0.3, .k2 = 1, .k3 = 1};
+    const double touch = 0.1;
+    hobe_section *left = rectangle(0.2, touch), *right = rectangle(0.1, 3 * touch);
+    const struct hobe_section_part part[2] = {{left, {0.15, 0.05}, steel}, {right, {0, 0}, steel}};
+    hobe_section *both = hobe_section_composite(2, part, &err);
+    struct hobe_surface face;
+    if (!both || hobe_section_surface(both, FINENESS, &face, &err))
+        check_stop("composite: %s", err.message);
+    double seam = 0;
+    for (int e = face.outline; e < face.edges; e++)
+        seam += distance(face.point[face.edge[e][0]], face.point[face.edge[e][1]]);
+    check_relative(seam, touch, 1e-9, "where two parts touch"); /* gmsh's tolerance of geometry */
+    check_relative(outline_area(&face), 5 * touch * touch, 1e-9, "composite: area in the outline");
+    hobe_surface_free(&face);
+    hobe_section_free(both);
+    hobe_section_free(left);
+    hobe_section_free(right);
 }
 
 static void check_section_surfaces(void)
@@ -357,6 +380,7 @@ int main(void)
     for (int i = 0; i < 20; i++)
         check_raster();
     check_section_surfaces();
+    check_composite();
     check_beam_surfaces();
     check_pictures();
     return check_report();
