@@ -284,7 +284,7 @@ static enum hobe_status add_skin(struct station *at, const struct profile *p,
         status = move_station(at, (double)k / steps, err);
         for (int i = 0; !status && i < p->points; i++)
             status = add_point(at, p->at[i], s, err);
-        if (k > 0)
+        if (!status && k > 0)
             add_wall(p, first - p->points, s);
     }
     return status ? status : add_end(at, s, err);

@@ -423,14 +423,15 @@ enum hobe_status hobe_picture_png(const struct hobe_picture *picture, struct hob
     cairo_surface_t *page =
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, layout.width, layout.height);
     struct drawing drawing = {.at = &layout, .cr = cairo_create(page)};
-    status = draw(&drawing, err);
+    if (!cairo_status(drawing.cr))
+        status = draw(&drawing, err);
     cairo_status_t failed = cairo_status(drawing.cr);
     if (!failed && !status)
         failed = cairo_surface_write_to_png_stream(page, keep, png);
-    if (failed && !status)
-        status = hobe_fail(err, failed == CAIRO_STATUS_NO_MEMORY ? HOBE_NO_MEMORY : HOBE_BAD_INPUT,
-                           NULL, "a picture of %d x %d pixels could not be drawn: %s", layout.width,
-                           layout.height, cairo_status_to_string(failed));
+    if (failed && !status) /* nothing else can go wrong: letters are UTF-8 */
+        status =
+            hobe_fail(err, HOBE_NO_MEMORY, NULL, "out of memory: a picture of %d x %d pixels: %s",
+                      layout.width, layout.height, cairo_status_to_string(failed));
     cairo_destroy(drawing.cr);
     cairo_surface_destroy(page);
     layout_free(&layout);

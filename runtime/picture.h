@@ -25,7 +25,8 @@ enum hobe_picture_range {
     HOBE_RANGE_RELATIVE /* each panel has all colours; amounts mean nothing */
 };
 
-/* Panels in a grid, row by row, all seen from the same side.  Strings may be NULL. */
+/* Panels in a grid, row by row, all seen from the same side.  Strings are UTF-8; title
+ * and unit may be NULL. */
 struct hobe_picture {
     const char *title;
     const char *field, *unit;  /* what is coloured: "w", "m²" */
@@ -44,7 +45,7 @@ struct hobe_picture {
 
 enum { HOBE_PICTURE_LEAST = 300, HOBE_PICTURE_MOST = 4000 }; /* width */
 
-/* Appends the picture as the bytes of a PNG file. */
+/* Appends the picture as the bytes of a PNG file.  HOBE_BAD_INPUT where it would be too high. */
 enum hobe_status hobe_picture_png(const struct hobe_picture *picture, struct hobe_text *png,
                                   struct hobe_error *err);
 

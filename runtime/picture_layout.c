@@ -3,12 +3,13 @@
 
 #include "vector3.h"
 
+enum { TALLEST_PICTURE = 30000 }; /* pixels; cairo has room for 32767 */
+
 static const double FLATTEST = 0.18, TALLEST = 0.95; /* height over width of a cell in a grid */
 static const double TALLEST_ALONE = 0.55;            /* height of one panel over the whole width */
-static const double CONSTANT =
-    1e-9; /* range of a field over its size, below which it is constant */
-static const double LEAST_UNIT = 0.75; /* so that small pictures can be read */
-static const double NARROWEST = 0.6;   /* width of a cell over its height */
+static const double NARROWEST = 0.6;                 /* width of a cell over its height */
+static const double LEAST_UNIT = 0.75;               /* so that small pictures can be read */
+static const double CONSTANT = 1e-9; /* a field's range over its size, below which it has none */
 
 static struct view look(double azimuth, double elevation)
 {
@@ -147,7 +148,7 @@ static void set_cells(struct layout *at)
         at->metre = fmin(at->cell_width / e.width, at->cell_height / e.height);
 }
 
-static void set_size(struct layout *at)
+static enum hobe_status set_size(struct layout *at, struct hobe_error *err)
 {
     const struct hobe_picture *picture = at->picture;
     const double k = at->unit;
@@ -160,9 +161,16 @@ static void set_size(struct layout *at)
     const double grid = at->rows * (at->head + at->cell_height + k * GAP);
     const double legend = k * (LEAST_BAR + 4 * TRIAD);
     const double width = at->columns * (at->cell_width + k * GAP) + k * (MARGIN + LEGEND + GAP);
+    const double height = at->top + fmax(grid, legend) + k * (MARGIN - GAP);
+    if (height > TALLEST_PICTURE)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a picture of %d drawings in %d columns would be %.0f pixels high, at "
+                         "most %d are possible: take more columns or fewer drawings",
+                         picture->panels, at->columns, height, TALLEST_PICTURE);
     at->width = (int)ceil(width);
-    at->height = (int)ceil(at->top + fmax(grid, legend) + k * (MARGIN - GAP));
+    at->height = (int)ceil(height);
     at->first = at->top + fmax(legend - grid, 0) / 2;
+    return HOBE_OK;
 }
 
 /* ---- the layout ----------------------------------------------------------------------------- */
@@ -180,8 +188,10 @@ enum hobe_status layout_new(const struct hobe_picture *picture, struct layout *l
         layout->shown[i] = measure(&layout->view, picture->panel + i);
     set_ranges(layout);
     set_cells(layout);
-    set_size(layout);
-    return HOBE_OK;
+    const enum hobe_status status = set_size(layout, err);
+    if (status)
+        layout_free(layout);
+    return status;
 }
 
 void layout_free(struct layout *layout)

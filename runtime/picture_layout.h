@@ -50,7 +50,7 @@ struct projection {
     double metre, left, top;
 };
 
-/* HOBE_NO_MEMORY.  layout_free frees what it made. */
+/* HOBE_BAD_INPUT where the picture would be too high.  layout_free frees what it made. */
 enum hobe_status layout_new(const struct hobe_picture *picture, struct layout *layout,
                             struct hobe_error *err);
 void layout_free(struct layout *layout);
