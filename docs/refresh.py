@@ -16,7 +16,11 @@ import tempfile
 TOP = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"(<!-- \$ (.*?) -->\n```\w*\n).*?(```\n<!-- end -->)", re.S)
 PAGES = ("README.md", "elements/README.md")
-PICTURES = {"twist.png": "princeton_twist.png"}  # of cases/princeton_angles.lua
+PICTURES = {  # case: the picture it draws, its name here
+    "princeton_angles": ("twist.png", "princeton_twist.png"),
+    "gallery": ("gallery.png", "sections.png"),
+    "modes": ("modes.png", "modes.png"),
+}
 
 
 def run(command):
@@ -32,11 +36,12 @@ def main():
         text = (TOP / name).read_text(encoding="utf-8")
         pages[name] = BLOCK.sub(lambda m: m[1] + run(m[2]) + m[3], text)
     with tempfile.TemporaryDirectory() as folder:
-        run(f"./hobe run cases/princeton_angles.lua --out {folder}")
+        for case in PICTURES:
+            run(f"./hobe run cases/{case}.lua --out {folder}/{case}")
         if check:
             return
-        for source, target in PICTURES.items():
-            shutil.copyfile(pathlib.Path(folder) / source, TOP / "docs" / target)
+        for case, (source, target) in PICTURES.items():
+            shutil.copyfile(pathlib.Path(folder) / case / source, TOP / "docs" / target)
     for name, text in pages.items():
         (TOP / name).write_text(text, encoding="utf-8")
 

@@ -1,41 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables and pictures that a case makes beside its report. */
+/* Tables and diagrams that a case makes beside its report. */
 #include "lua_hobe.h"
 
 #include <math.h>
 #include <string.h>
-
-/* ---- files ---------------------------------------------------------------------------------- */
-
-/* Raises unless `file` is a good name that ends with `ending`.  So it is checked without an output
- * folder, too: whether a script is right must not depend on --out. */
-static void check_file(lua_State *L, const char *verb, const char *file, const char *ending)
-{
-    struct hobe_error err;
-    size_t size = strlen(file), end = strlen(ending);
-    if (size <= end || strcmp(file + size - end, ending))
-        hobe_lua_fail(L, "%s: file must end with %s, got \"%s\"", verb, ending, file);
-    if (hobe_check_name(file, &err))
-        hobe_lua_raise(L, &err);
-}
-
-/* In a stock Lua files appear at once. */
-static void publish(lua_State *L)
-{
-    if (!hobe_lua_context(L)->program)
-        hobe_lua_write_files(L);
-}
-
-/* The number of items of the list at index; raises where keys are not 1..n. */
-static size_t list_size(lua_State *L, int index, const char *what)
-{
-    size_t n = 0, size = lua_rawlen(L, index);
-    for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1))
-        n++;
-    if (n != size)
-        hobe_lua_fail(L, "%s must be a list without keys or holes", what);
-    return size;
-}
 
 /* ---- tables --------------------------------------------------------------------------------- */
 
@@ -58,7 +26,7 @@ static const char **push_head(lua_State *L, size_t *columns)
 {
     hobe_lua_push_key(L, 1, &table_schema, "columns");
     int list = lua_gettop(L);
-    *columns = list_size(L, list, "table: columns");
+    *columns = hobe_lua_list_size(L, list, "table: columns");
     if (*columns == 0)
         hobe_lua_fail(L, "table: columns must have at least one head");
     const char **head = lua_newuserdatauv(L, *columns * sizeof *head, 0);
@@ -93,7 +61,7 @@ static const struct hobe_cell *push_cells(lua_State *L, size_t columns, size_t *
 {
     hobe_lua_push_key(L, 1, &table_schema, "rows");
     int list = lua_gettop(L);
-    *rows = list_size(L, list, "table: rows");
+    *rows = hobe_lua_list_size(L, list, "table: rows");
     struct hobe_cell *cell = lua_newuserdatauv(L, (*rows * columns + 1) * sizeof *cell, 0);
     for (size_t i = 0; i < *rows; i++) {
         lua_rawgeti(L, list, (lua_Integer)i + 1);
@@ -123,7 +91,7 @@ static int make_table(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &table_schema, &read);
     if (read.file)
-        check_file(L, "table", read.file, ".csv");
+        hobe_lua_check_file(L, "table", read.file, ".csv");
     table.title = read.title;
     table.head = push_head(L, &table.columns);
     table.cell = push_cells(L, table.columns, &table.rows);
@@ -131,7 +99,7 @@ static int make_table(lua_State *L)
     if (!read.file || !hobe_lua_context(L)->folder)
         return 0;
     hobe_table_csv(hobe_lua_stage(L, read.file), &table);
-    publish(L);
+    hobe_lua_publish(L);
     return 0;
 }
 
@@ -176,7 +144,7 @@ static const double *read_list(lua_State *L, int index, const char *what, const 
     const char *full = lua_pushfstring(L, "%s.%s", what, key);
     hobe_lua_push_key(L, index, &series_schema, key);
     int list = lua_gettop(L);
-    *count = list_size(L, list, full);
+    *count = hobe_lua_list_size(L, list, full);
     double *x = lua_newuserdatauv(L, (*count + 1) * sizeof *x, 0);
     lua_rawseti(L, keep, (lua_Integer)lua_rawlen(L, keep) + 1);
     for (size_t i = 0; i < *count; i++) {
@@ -218,7 +186,7 @@ static const struct hobe_series *push_series(lua_State *L, size_t *count)
 {
     hobe_lua_push_key(L, 1, &plot_schema, "series");
     int list = lua_gettop(L);
-    *count = list_size(L, list, "plot: series");
+    *count = hobe_lua_list_size(L, list, "plot: series");
     if (*count == 0)
         hobe_lua_fail(L, "plot: series must have at least one series");
     struct hobe_series *series = lua_newuserdatauv(L, *count * sizeof *series, 0);
@@ -245,7 +213,7 @@ static int make_plot(lua_State *L)
     struct hobe_plot plot;
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &plot_schema, &read);
-    check_file(L, "plot", read.file, ".png");
+    hobe_lua_check_file(L, "plot", read.file, ".png");
     plot = (struct hobe_plot){read.title, read.xlabel, read.ylabel, 0, NULL};
     plot.series = push_series(L, &plot.count);
     if (!hobe_lua_context(L)->folder)
@@ -256,7 +224,7 @@ static int make_plot(lua_State *L)
     hobe_plot_data(hobe_lua_stage(L, data), &plot);
     hobe_plot_script(hobe_lua_stage(L, script), &plot, last_part(data), last_part(read.file));
     hobe_lua_stage_picture(L, read.file, script);
-    publish(L);
+    hobe_lua_publish(L);
     return 0;
 }
 

@@ -83,6 +83,16 @@ void hobe_lua_forget_files(struct hobe_lua *context)
     }
 }
 
+void hobe_lua_check_file(lua_State *L, const char *verb, const char *file, const char *ending)
+{
+    struct hobe_error err;
+    size_t size = strlen(file), end = strlen(ending);
+    if (size <= end || strcmp(file + size - end, ending))
+        hobe_lua_fail(L, "%s: file must end with %s, got \"%s\"", verb, ending, file);
+    if (hobe_check_name(file, &err))
+        hobe_lua_raise(L, &err);
+}
+
 /* Draws the pictures; without gnuplot that is a line on stderr, since the numbers are there. */
 static void draw(lua_State *L, const char *folder)
 {
@@ -118,6 +128,12 @@ void hobe_lua_write_files(lua_State *L)
     }
     draw(L, context->folder);
     hobe_lua_forget_files(context);
+}
+
+void hobe_lua_publish(lua_State *L)
+{
+    if (!hobe_lua_context(L)->program)
+        hobe_lua_write_files(L);
 }
 
 /* ---- reading -------------------------------------------------------------------------------- */

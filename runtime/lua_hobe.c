@@ -285,7 +285,8 @@ const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"One element", hobe_lua_kernel_entries, 0},
     {"Methods of an element", hobe_lua_kernel_methods, 1},
     {"Reports", hobe_lua_report_entries, 0},
-    {"Tables and pictures", hobe_lua_figure_entries, 0},
+    {"Tables and diagrams", hobe_lua_figure_entries, 0},
+    {"Pictures", hobe_lua_picture_entries, 0},
     {0}};
 
 void hobe_lua_add_entries(lua_State *L, const struct hobe_lua_entry *entry)

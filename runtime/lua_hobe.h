@@ -38,6 +38,7 @@ extern const struct hobe_lua_entry hobe_lua_kernel_entries[];    /* lua_kernel.c
 extern const struct hobe_lua_entry hobe_lua_kernel_methods[];    /* lua_kernel.c */
 extern const struct hobe_lua_entry hobe_lua_report_entries[];    /* lua_report.c */
 extern const struct hobe_lua_entry hobe_lua_figure_entries[];    /* lua_figure.c */
+extern const struct hobe_lua_entry hobe_lua_picture_entries[];   /* lua_picture.c */
 
 /* Chapters of the module and of its reference, in order; the last has no title. */
 struct hobe_lua_chapter {
@@ -107,6 +108,10 @@ void hobe_lua_note(lua_State *L, const char *format, ...) __attribute__((format(
 
 /* ---- files for the end of the run (lua_files.c) --------------------------------------------- */
 
+/* Raises unless `file` is a good name that ends with `ending`.  So it is checked without an output
+ * folder, too: whether a script is right must not depend on --out. */
+void hobe_lua_check_file(lua_State *L, const char *verb, const char *file, const char *ending);
+
 /* A text that will become the file `name` in the output folder; owned by the context.  Raises on a
  * bad name and on one that is taken. */
 struct hobe_text *hobe_lua_stage(lua_State *L, const char *name);
@@ -120,6 +125,9 @@ void hobe_lua_stage_picture(lua_State *L, const char *name, const char *script);
 /* Writes all staged files into the context's folder, draws the pictures, and forgets them. */
 void hobe_lua_write_files(lua_State *L);
 void hobe_lua_forget_files(struct hobe_lua *context);
+
+/* Writes them now where there is no end of the run: in a stock Lua files appear at once. */
+void hobe_lua_publish(lua_State *L);
 
 /* Reads the file `name` for hobe.`what` into the empty text, which the caller frees.  A relative
  * name starts from the folder of the case, in a stock Lua from the working folder.  A case that is

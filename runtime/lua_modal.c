@@ -4,10 +4,8 @@
 
 #include <string.h>
 
-#define MODES "hobe.modes"
-
-struct modes { /* its user value is the scene */
-    hobe_modes *modes;
+struct modes {         /* its user value is the scene */
+    hobe_modes *modes; /* first: KEY_MODES reads it */
     const hobe_model *model;
 };
 
@@ -15,7 +13,7 @@ struct modes { /* its user value is the scene */
 
 static int finalize(lua_State *L)
 {
-    struct modes *modes = luaL_checkudata(L, 1, MODES);
+    struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
     hobe_modes_free(modes->modes);
     modes->modes = NULL;
     return 0;
@@ -46,7 +44,7 @@ static const char methods[] = "auto|dense|lanczos"; /* in the order of hobe_moda
 
 static int get_field(lua_State *L)
 {
-    const struct modes *modes = luaL_checkudata(L, 1, MODES);
+    const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
     struct summary summary;
     hobe_modes_info(modes->modes, &summary.modes);
     hobe_model_info(modes->model, &summary.model);
@@ -72,7 +70,7 @@ static int read_index(lua_State *L, const struct modes *modes, const char *name)
 
 static struct hobe_mode read_mode(lua_State *L, const char *name)
 {
-    const struct modes *modes = luaL_checkudata(L, 1, MODES);
+    const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
     struct hobe_mode mode;
     struct hobe_error err;
     lua_settop(L, 2);
@@ -105,7 +103,7 @@ static int effective_mass(lua_State *L)
 
 static int frequencies(lua_State *L)
 {
-    const struct modes *modes = luaL_checkudata(L, 1, MODES);
+    const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
     struct hobe_modes_info info;
     hobe_modes_info(modes->modes, &info);
     lua_createtable(L, info.count, 0);
@@ -125,7 +123,7 @@ static int shape(lua_State *L)
     static const struct hobe_lua_key at_key = {
         .name = "at", .type = KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1)};
     static const struct hobe_lua_key offset_key = {.name = "offset", .type = KEY_NUMBER};
-    const struct modes *modes = luaL_checkudata(L, 1, MODES);
+    const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
     struct hobe_error err;
     double at, y, z, u[3];
     lua_settop(L, 6);
@@ -208,7 +206,7 @@ static int modal(lua_State *L)
     const struct hobe_modal_options options = read_options(L, &state);
     struct modes *modes = lua_newuserdatauv(L, sizeof *modes, 1);
     *modes = (struct modes){NULL, scene->model};
-    hobe_lua_set_type(L, MODES, finalize, hobe_lua_modes_methods, get_field);
+    hobe_lua_set_type(L, HOBE_LUA_MODES, finalize, hobe_lua_modes_methods, get_field);
     lua_pushvalue(L, 1);
     lua_setiuservalue(L, -2, 1);
     hobe_lua_pause_clock();

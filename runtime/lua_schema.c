@@ -124,6 +124,16 @@ const char *hobe_lua_text(lua_State *L, int index, const char *what)
     return s;
 }
 
+size_t hobe_lua_list_size(lua_State *L, int index, const char *what)
+{
+    size_t n = 0, size = lua_rawlen(L, index);
+    for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1))
+        n++;
+    if (n != size)
+        hobe_lua_fail(L, "%s must be a list without keys or holes", what);
+    return size;
+}
+
 /* Pushes the bounds of a key as words: "> 0", "from 0 to 1", "> -1 and < 0.5". */
 static const char *push_bounds(lua_State *L, const struct hobe_lua_key *key)
 {
@@ -231,6 +241,14 @@ static const hobe_solution *read_result(lua_State *L, int index, const char *wha
     return *solution;
 }
 
+static const hobe_modes *read_modes(lua_State *L, int index, const char *what)
+{
+    hobe_modes **modes = luaL_testudata(L, index, HOBE_LUA_MODES);
+    if (!modes || !*modes)
+        fail_type(L, index, what, "a set of modes of hobe.modal(scene)");
+    return *modes;
+}
+
 /* Puts the value at index, which is there, into *out. */
 static void read_value(lua_State *L, int index, const char *what, const struct hobe_lua_key *key,
                        void *out)
@@ -268,6 +286,9 @@ static void read_value(lua_State *L, int index, const char *what, const struct h
     case KEY_RESULT:
         *(const hobe_solution **)out = read_result(L, index, what);
         break;
+    case KEY_MODES:
+        *(const hobe_modes **)out = read_modes(L, index, what);
+        break;
     case KEY_LIST:
         if (!lua_istable(L, index))
             fail_type(L, index, what, "a table");
@@ -294,6 +315,8 @@ static void set_fallback(const struct hobe_lua_key *key, void *out)
         memset(out, 0, 2 * sizeof(double));
     else if (key->type == KEY_RESULT)
         *(const hobe_solution **)out = NULL;
+    else if (key->type == KEY_MODES)
+        *(const hobe_modes **)out = NULL;
 }
 
 void hobe_lua_read_value(lua_State *L, int index, const char *what, const struct hobe_lua_key *key,

@@ -10,6 +10,7 @@
 /* Type names of userdata that begin with a pointer to the object. */
 #define HOBE_LUA_SECTION "hobe.section"
 #define HOBE_LUA_RESULT  "hobe.result"
+#define HOBE_LUA_MODES   "hobe.modes"
 
 /* What a key holds, and the C object at its offset. */
 enum hobe_lua_type {
@@ -24,6 +25,7 @@ enum hobe_lua_type {
     KEY_SECTION, /* a section                  const hobe_section *, alive as long as the section */
     KEY_RESULT,  /* a result of static         const hobe_solution *, likewise; NULL where left out
                   */
+    KEY_MODES,   /* modes of modal             const hobe_modes *, likewise; NULL where left out */
     KEY_LIST,    /* any table                  nothing: the function reads it itself */
     KEY_OTHER    /* what `choices` says        nothing: the function checks and reads it itself */
 };
@@ -101,6 +103,9 @@ double hobe_lua_number(lua_State *L, int index, const char *what);
 
 /* A string on one line of valid UTF-8 at `index`, or a sentence about `what`. */
 const char *hobe_lua_text(lua_State *L, int index, const char *what);
+
+/* The number of items of the list at the absolute `index`; a sentence where keys are not 1..n. */
+size_t hobe_lua_list_size(lua_State *L, int index, const char *what);
 
 /* Pushes the value at `index` as a sentence would quote it: got -0.01, "x", a table. */
 const char *hobe_lua_describe(lua_State *L, int index);

@@ -404,6 +404,11 @@ void hobe_modes_free(hobe_modes *modes)
     hobe_free(modes);
 }
 
+const hobe_model *modes_model(const hobe_modes *modes)
+{
+    return modes->model;
+}
+
 void hobe_modes_info(const hobe_modes *modes, struct hobe_modes_info *info)
 {
     *info = modes->info;
@@ -443,13 +448,20 @@ enum hobe_status hobe_modes_mode(const hobe_modes *modes, int i, struct hobe_mod
     return HOBE_OK;
 }
 
-enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *beam, double at,
-                                  double y, double z, double u[3], struct hobe_error *err)
+enum hobe_status modes_displacement(const hobe_modes *modes, int i, const char *beam, double at,
+                                    double y, double z, double r0[3], double u[3],
+                                    struct hobe_error *err)
 {
     const double *shape = shape_of(modes, i, err);
     if (!shape)
         return HOBE_BAD_INPUT;
-    return solution_displacement(modes->model, shape, beam, at, y, z, u, err);
+    return solution_displacement(modes->model, shape, beam, at, y, z, r0, u, err);
+}
+
+enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *beam, double at,
+                                  double y, double z, double u[3], struct hobe_error *err)
+{
+    return modes_displacement(modes, i, beam, at, y, z, NULL, u, err);
 }
 
 double hobe_modes_mass(const hobe_modes *modes, int i, int j)

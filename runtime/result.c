@@ -211,23 +211,6 @@ static const struct beam *find_place(const hobe_model *model, const char *name, 
     return beam;
 }
 
-enum hobe_status solution_displacement(const hobe_model *model, const double *vectors,
-                                       const char *name, double at, double y, double z, double u[3],
-                                       struct hobe_error *err)
-{
-    struct place place;
-    struct around p;
-    double gradient_u[3][3];
-    const struct beam *beam = find_place(model, name, at, &place, err);
-    if (!beam)
-        return err ? err->status : HOBE_BAD_INPUT;
-    look_around(model, vectors, place, &p);
-    const enum hobe_status status = set_modes(place, y, z, &p, err);
-    if (!status)
-        field(&p, p.u, u, gradient_u);
-    return status;
-}
-
 /* Where a point of the beam is in the reference. */
 static void reference(const struct around *p, struct place place, double at, double y, double z,
                       double r0[3])
@@ -240,6 +223,26 @@ static void reference(const struct around *p, struct place place, double at, dou
         r0[a] = beam->origin ? beam->origin[place.element][a] + r0[a]
                              : beam->end[0][a] + at * beam->length * p->frame[0][a] +
                                    y * p->frame[1][a] + z * p->frame[2][a];
+}
+
+enum hobe_status solution_displacement(const hobe_model *model, const double *vectors,
+                                       const char *name, double at, double y, double z,
+                                       double r0[3], double u[3], struct hobe_error *err)
+{
+    struct place place;
+    struct around p;
+    double gradient_u[3][3];
+    const struct beam *beam = find_place(model, name, at, &place, err);
+    if (!beam)
+        return err ? err->status : HOBE_BAD_INPUT;
+    look_around(model, vectors, place, &p);
+    const enum hobe_status status = set_modes(place, y, z, &p, err);
+    if (status)
+        return status;
+    field(&p, p.u, u, gradient_u);
+    if (r0)
+        reference(&p, place, at, y, z, r0);
+    return HOBE_OK;
 }
 
 enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *name, double at,

@@ -340,6 +340,21 @@ static double approach(const struct hobe_mesh *mesh, int triangle, const double 
     return nearest;
 }
 
+/* Square of the distance from p to the triangle's box: no more than that to the triangle. */
+static double box_distance(const struct hobe_mesh *mesh, int triangle, const double p[2])
+{
+    const int *n = mesh->triangle[triangle];
+    const double *a = mesh->node[n[0]], *b = mesh->node[n[1]], *c = mesh->node[n[2]];
+    double square = 0;
+    for (int k = 0; k < 2; k++) {
+        const double ab = a[k] < b[k] ? a[k] : b[k], low = ab < c[k] ? ab : c[k];
+        const double ba = a[k] > b[k] ? a[k] : b[k], high = ba > c[k] ? ba : c[k];
+        const double off = p[k] < low ? low - p[k] : p[k] > high ? p[k] - high : 0;
+        square += off * off;
+    }
+    return square;
+}
+
 void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double y, double z,
                       double (*f)[4])
 {
@@ -347,6 +362,8 @@ void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double
     double nearest = INFINITY, best[3] = {1, 0, 0}, L[3];
     int triangle = 0;
     for (int t = 0; t < mesh->triangles && nearest > 0; t++) {
+        if (box_distance(mesh, t, p) > nearest * nearest)
+            continue;
         const double d = approach(mesh, t, p, L);
         if (d < nearest) {
             nearest = d;

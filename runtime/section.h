@@ -3,7 +3,7 @@
 #ifndef HOBE_SECTION_H
 #define HOBE_SECTION_H
 
-#include "hobe.h"
+#include "surface.h"
 
 struct hobe_outline; /* section_mesh.h */
 
@@ -86,6 +86,9 @@ struct hobe_section_kind {
     /* The outline about the section's own origin; circles become polygons of their area. */
     enum hobe_status (*outline)(const hobe_section *section, struct hobe_outline *outline,
                                 struct hobe_error *err);
+    enum hobe_status (*surface)(const hobe_section *section, int fineness,
+                                struct hobe_surface *surface,
+                                struct hobe_error *err); /* hobe_section_surface */
     void (*close)(hobe_section *section); /* frees what the kind added; may be NULL */
     const struct hobe_section_sizes
         *sizes; /* of a kind that can taper (section_taper.h), or NULL */

@@ -6,6 +6,7 @@
 #include "saint_venant.h"
 #include "section_cache.h"
 #include "section_shape.h"
+#include "section_surface.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -141,6 +142,14 @@ static void functions(const hobe_section *section, int paper, double y, double z
         parts_warping(&s->parts, y, z, f[HOBE_W]);
 }
 
+/* Whatever the fineness: the mesh is as fine as w needs. */
+static enum hobe_status surface(const hobe_section *section, int fineness,
+                                struct hobe_surface *surface, struct hobe_error *err)
+{
+    (void)fineness;
+    return hobe_surface_mesh(&((const struct shape *)section)->mesh, surface, err);
+}
+
 static void close_shape(hobe_section *section)
 {
     struct shape *s = (struct shape *)section;
@@ -171,6 +180,7 @@ static enum hobe_status copy_outline(const hobe_section *section, struct hobe_ou
 static const struct hobe_section_sizes shape_sizes;
 static const struct hobe_section_kind shape_kind = {.rule = rule,
                                                     .functions = functions,
+                                                    .surface = surface,
                                                     .outline = copy_outline,
                                                     .close = close_shape,
                                                     .sizes = &shape_sizes};

@@ -2,6 +2,7 @@
 /* Rectangles, the series of their Saint-Venant warping function, and the cubics of their bending
  * shear. */
 #include "outline.h"
+#include "section_surface.h"
 #include "section_taper.h"
 
 #include <math.h>
@@ -216,6 +217,20 @@ static enum hobe_status outline(const hobe_section *section, struct hobe_outline
     return hobe_outline_new(1, (const int[]){4}, (const double(*)[2])corner, outline, err);
 }
 
+/* Finer at the edges, where w has its boundary layers: places like cosines. */
+static enum hobe_status surface(const hobe_section *section, int fineness,
+                                struct hobe_surface *surface, struct hobe_error *err)
+{
+    const struct rectangle *r = (const struct rectangle *)section;
+    const int n = fineness;
+    const enum hobe_status status = hobe_surface_grid(n, n, 0, surface, err);
+    for (int p = 0; !status && p < surface->points; p++) {
+        surface->point[p][1] = -r->width / 2 * cos(M_PI * (p % (n + 1)) / n);
+        surface->point[p][2] = -r->height / 2 * cos(M_PI * (p / (n + 1)) / n);
+    }
+    return status;
+}
+
 static void close_rectangle(hobe_section *section)
 {
     hobe_rule_free(&((struct rectangle *)section)->functions_rule);
@@ -246,6 +261,7 @@ static hobe_section *make_like(const hobe_section *like, const double *sizes, in
 static const struct hobe_section_sizes rectangle_sizes = {count_sizes, read_sizes, make_like, NULL};
 static const struct hobe_section_kind rectangle_kind = {.rule = rule,
                                                         .functions = functions_at,
+                                                        .surface = surface,
                                                         .outline = outline,
                                                         .close = close_rectangle,
                                                         .sizes = &rectangle_sizes};

@@ -2,6 +2,7 @@
 /* Circles and round tubes: w vanishes, wy and wz are known, and cubature in polar coordinates is
  * exact. */
 #include "outline.h"
+#include "section_surface.h"
 #include "section_taper.h"
 
 #include <math.h>
@@ -117,6 +118,24 @@ static enum hobe_status rule(const hobe_section *section, const struct hobe_kern
     return polar_rule(ring, square_radii, degree + 1, angles, rule, err);
 }
 
+/* Rows from the outer circle in; a solid circle has no edge at its centre. */
+static enum hobe_status surface(const hobe_section *section, int fineness,
+                                struct hobe_surface *surface, struct hobe_error *err)
+{
+    const struct ring *ring = (const struct ring *)section;
+    const int turn = 8 * fineness;
+    const enum hobe_status status = hobe_surface_grid(fineness, turn, 1, surface, err);
+    for (int p = 0; !status && p < surface->points; p++) {
+        const double angle = 2 * M_PI * (p % turn) / turn, in = (double)(p / turn) / fineness;
+        const double r = ring->outer + (ring->inner - ring->outer) * in;
+        surface->point[p][1] = r * cos(angle);
+        surface->point[p][2] = r * sin(angle);
+    }
+    if (!status && ring->inner == 0)
+        surface->edges = surface->outline = turn;
+    return status;
+}
+
 static int count_sizes(const hobe_section *section)
 {
     return ((const struct ring *)section)->inner > 0 ? 2 : 1;
@@ -155,8 +174,11 @@ static enum hobe_status outline(const hobe_section *section, struct hobe_outline
                             (const double(*)[2])point, outline, err);
 }
 
-static const struct hobe_section_kind ring_kind = {
-    .rule = rule, .functions = functions, .outline = outline, .sizes = &ring_sizes};
+static const struct hobe_section_kind ring_kind = {.rule = rule,
+                                                   .functions = functions,
+                                                   .surface = surface,
+                                                   .outline = outline,
+                                                   .sizes = &ring_sizes};
 
 static hobe_section *ring(double outer, double inner, struct hobe_error *err)
 {

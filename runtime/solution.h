@@ -16,9 +16,16 @@ struct hobe_solution {
 enum hobe_status solution_smallest_volume(const hobe_model *model, const double *u,
                                           double *smallest, struct hobe_error *err);
 
-/* Displacement at a place of a beam, as in hobe_solution_point, of the field vectors[..][3]. */
+/* Displacement u at a place of a beam, as in hobe_solution_point, of the field vectors[..][3]; and
+ * where the place is in the reference, r0 (may be NULL). */
 enum hobe_status solution_displacement(const hobe_model *model, const double *vectors,
-                                       const char *beam, double at, double y, double z, double u[3],
-                                       struct hobe_error *err);
+                                       const char *beam, double at, double y, double z,
+                                       double r0[3], double u[3], struct hobe_error *err);
+
+/* The model that vibrates, and hobe_modes_point with the place in the reference (modal.c). */
+const hobe_model *modes_model(const hobe_modes *modes);
+enum hobe_status modes_displacement(const hobe_modes *modes, int i, const char *beam, double at,
+                                    double y, double z, double r0[3], double u[3],
+                                    struct hobe_error *err);
 
 #endif

@@ -72,6 +72,7 @@ hobe.table{ title = "Axis", columns = { "x", "u3, m" }, file = "axis.csv",
             rows = { { x[1], y[1] }, { x[11], y[11] }, { 'quoted, "', nil } } }
 hobe.plot{ file = "figures/axis.png", title = "it's `id` {a}_b", xlabel = "x, m", ylabel = "u3, m",
            series = { { label = "u3", x = x, y = y, style = "linespoints" } } }
+hobe.picture{ file = "figures/beam.png", width = 300, state = r, title = "it's `id` {a}_b" }
 END
 
 # ---- formats ------------------------------------------------------------------------------------
@@ -135,7 +136,8 @@ has stderr '^hobe: miss.lua:1: report: u is 1 m but 2 is expected, a relative di
 # ---- files --------------------------------------------------------------------------------------
 
 run 0 run beam.lua --out deep/results
-for file in report.json report.csv newton.csv axis.csv figures/axis.gp figures/axis.data.csv; do
+for file in report.json report.csv newton.csv axis.csv figures/axis.gp figures/axis.data.csv \
+    figures/beam.png; do
     [ -s "deep/results/$file" ] || complain "$file is missing"
 done
 [ -z "$(find deep -name '.*' -type f)" ] || complain "temporary files are left"
@@ -145,9 +147,11 @@ has deep/results/newton.csv '^1,1,1,'
 if command -v gnuplot >/dev/null; then
     [ "$(head -c 4 deep/results/figures/axis.png | tail -c 3)" = PNG ] || complain "no PNG"
 fi
+[ "$(head -c 4 deep/results/figures/beam.png | tail -c 3)" = PNG ] || complain "no picture"
 # Without gnuplot in the PATH: a line that says so, no error.
 PATH=$scratch/none "$hobe" run beam.lua --out plain >stdout 2>stderr || complain "no gnuplot"
 has stderr 'gnuplot is not installed: 1 picture not drawn'
+cmp -s plain/figures/beam.png deep/results/figures/beam.png || complain "two pictures of a scene"
 [ -s plain/figures/axis.gp ] && [ ! -e plain/figures/axis.png ] || complain "files without gnuplot"
 
 # A run that fails leaves the good results of an earlier one as they were.

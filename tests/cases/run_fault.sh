@@ -29,6 +29,7 @@ local element = hobe.kernel{ element = "BE24", section = section, material = mat
 hobe.report{ u = r:displacement("b", 1)[3], U = element:energy(element:reference()),
              f = m:frequencies()[2], v = m:shape(1, "b", 1)[3],
              A = hobe.outline{ file = "corner.csv" }.A }
+hobe.picture{ file = "a.png", width = 300, sections = { { section, "a" } } }
 LUA
 
 n=1

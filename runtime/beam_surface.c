@@ -1,0 +1,339 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Skins of beams. */
+#include "surface.h"
+
+#include "section.h"
+#include "solution.h"
+#include "vector3.h"
+
+#include <string.h>
+
+enum {
+    FINENESS = 12,   /* of closed-form sections */
+    PER_SIZE = 64,   /* points of the swept outline for the diagonal of the section */
+    STEPS = 240,     /* from end to end, shared by the elements of a beam, */
+    MOST_STEPS = 48, /* at most and at least so many in one */
+    LEAST_STEPS = 2
+};
+
+static const double SHARP = 0.93; /* cosine of the turn from which a corner is an edge: 21 deg */
+
+/* ---- fields --------------------------------------------------------------------------------- */
+
+static double size_of_u(const struct hobe_point *p)
+{
+    return length3(p->u);
+}
+
+static double u_x(const struct hobe_point *p)
+{
+    return p->u[0];
+}
+
+static double u_y(const struct hobe_point *p)
+{
+    return p->u[1];
+}
+
+static double u_z(const struct hobe_point *p)
+{
+    return p->u[2];
+}
+
+static double twist(const struct hobe_point *p)
+{
+    return p->twist;
+}
+
+static const struct hobe_field fields[] = {
+    {"u", "|u|", "m", 0, 1, size_of_u},     {"ux", "u₁", "m", 1, 1, u_x},
+    {"uy", "u₂", "m", 1, 1, u_y},           {"uz", "u₃", "m", 1, 1, u_z},
+    {"twist", "twist", "rad", 1, 0, twist}, {"w", "w", "m²", 1, 1, NULL},
+};
+enum { FIELDS = sizeof fields / sizeof *fields };
+
+const struct hobe_field *hobe_find_field(const char *name, int linear, struct hobe_error *err)
+{
+    char known[200] = "";
+    for (int i = 0; i < FIELDS; i++) {
+        if (linear && !fields[i].linear)
+            continue;
+        if (!strcmp(fields[i].name, name))
+            return fields + i;
+        strcat(strcat(known, *known ? ", " : ""), fields[i].name);
+    }
+    hobe_fail(err, HOBE_UNKNOWN, NULL, "%s cannot be coloured by \"%.60s\", only by %s",
+              linear ? "mode shapes" : "beams", name, known);
+    return NULL;
+}
+
+/* ---- outlines ------------------------------------------------------------------------------- */
+
+/* What is swept along a beam: the points of the section's surface that lie on its outline, or
+ * enough of them. */
+struct profile {
+    int points;
+    int *at;     /* [points] numbers in the surface */
+    int *next;   /* [points] place in `at` of the point that follows in its loop */
+    char *sharp; /* [points] whether it is a corner */
+};
+
+/* Cosine of the turn at b from a to c, points of a section's surface. */
+static double turn(const struct hobe_surface *s, int a, int b, int c)
+{
+    const double *p = s->point[a], *q = s->point[b], *r = s->point[c];
+    const double d[2] = {q[1] - p[1], q[2] - p[2]}, e[2] = {r[1] - q[1], r[2] - q[2]};
+    return (d[0] * e[0] + d[1] * e[1]) / (hypot(d[0], d[1]) * hypot(e[0], e[1]));
+}
+
+static double distance(const struct hobe_surface *s, int a, int b)
+{
+    return hypot(s->point[a][1] - s->point[b][1], s->point[a][2] - s->point[b][2]);
+}
+
+/* Keeps the sharp corners of the loop through `first`, and others at least `spacing` apart.
+ * follows[i]: the point after i, taken away as it is passed. */
+static void walk(struct profile *p, const struct hobe_surface *face, int *follows, int first,
+                 double spacing)
+{
+    const int start = p->points;
+    int before = first, i = follows[first];
+    while (follows[i] != first && !(turn(face, before, i, follows[i]) < SHARP)) {
+        before = i; /* to a sharp corner, if there is one, to begin with */
+        i = follows[i];
+    }
+    for (int after; (after = follows[i]) >= 0; before = i, i = after) {
+        const int sharp = turn(face, before, i, after) < SHARP;
+        follows[i] = -1;
+        if (p->points > start && !sharp &&
+            (distance(face, p->at[p->points - 1], i) < spacing ||
+             distance(face, p->at[start], i) < spacing))
+            continue;
+        p->at[p->points] = i;
+        p->sharp[p->points] = (char)sharp;
+        p->next[p->points] = p->points + 1;
+        p->points++;
+    }
+    p->next[p->points - 1] = start;
+}
+
+static void free_profile(struct profile *p)
+{
+    hobe_free(p->at);
+    hobe_free(p->next);
+    hobe_free(p->sharp);
+}
+
+static enum hobe_status make_profile(const struct hobe_surface *face, double spacing,
+                                     struct profile *p, struct hobe_error *err)
+{
+    const size_t edges = (size_t)face->outline;
+    int *follows = hobe_alloc((size_t)face->points, sizeof *follows, err);
+    *p = (struct profile){.at = hobe_alloc(edges, sizeof *p->at, err),
+                          .next = hobe_alloc(edges, sizeof *p->next, err),
+                          .sharp = hobe_alloc(edges, sizeof *p->sharp, err)};
+    if (!follows || !p->at || !p->next || !p->sharp) {
+        hobe_free(follows);
+        free_profile(p);
+        return HOBE_NO_MEMORY;
+    }
+    memset(follows, -1, (size_t)face->points * sizeof *follows);
+    for (int e = 0; e < face->outline; e++)
+        follows[face->edge[e][0]] = face->edge[e][1];
+    for (int i = 0; i < face->points; i++)
+        if (follows[i] >= 0)
+            walk(p, face, follows, i, spacing);
+    hobe_free(follows);
+    return HOBE_OK;
+}
+
+/* ---- sweeping ------------------------------------------------------------------------------- */
+
+/* What moves the beams. */
+struct motion {
+    const hobe_model *model;
+    const hobe_solution *solution; /* NULL: a mode */
+    const hobe_modes *modes;
+    int mode;
+    const struct hobe_field *field;
+};
+
+/* The section somewhere along a beam. */
+struct station {
+    const struct motion *motion;
+    const struct beam *beam;
+    double at;
+    const hobe_section *section;
+    hobe_section *made; /* NULL where the section does not vary */
+    struct hobe_surface face;
+};
+
+static void close_station(struct station *s)
+{
+    hobe_surface_free(&s->face);
+    hobe_section_free(s->made);
+}
+
+/* Makes the section at another place of the beam, whose surface is numbered alike. */
+static enum hobe_status move_station(struct station *s, double at, struct hobe_error *err)
+{
+    const int points = s->face.points;
+    s->at = at;
+    if (s->section && !s->made)
+        return HOBE_OK;
+    close_station(s);
+    s->section = s->beam->spec.section;
+    s->made = NULL;
+    s->face = (struct hobe_surface){0};
+    if (hobe_section_varies(s->section))
+        s->section = s->made = hobe_section_at(s->section, at, err);
+    if (!s->section)
+        return err ? err->status : HOBE_NO_MEMORY;
+    const enum hobe_status status = hobe_section_surface(s->section, FINENESS, &s->face, err);
+    if (!status && points && s->face.points != points)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "beam \"%s\" cannot be drawn: its section has another mesh at %g",
+                         s->beam->name, at);
+    return status;
+}
+
+/* Adds point i of the section's surface. */
+static enum hobe_status add_point(const struct station *at, int i, struct hobe_surface *s,
+                                  struct hobe_error *err)
+{
+    const struct motion *motion = at->motion;
+    const double y = at->face.point[i][1], z = at->face.point[i][2];
+    const int p = s->points++;
+    struct hobe_point point;
+    double f[4];
+    enum hobe_status status;
+    if (motion->solution)
+        status = hobe_solution_point(motion->solution, at->beam->name, at->at, y, z, &point, err);
+    else
+        status = modes_displacement(motion->modes, motion->mode, at->beam->name, at->at, y, z,
+                                    point.r0, point.u, err);
+    if (!status && !motion->field->value)
+        status = hobe_section_function(at->section, motion->field->name, y, z, f, err);
+    if (status)
+        return status;
+    memcpy(s->point[p], point.r0, sizeof point.r0);
+    memcpy(s->displacement[p], point.u, sizeof point.u);
+    s->value[p] = motion->field->value ? motion->field->value(&point) : f[0];
+    return HOBE_OK;
+}
+
+/* The section at an end of the beam, facing out. */
+static enum hobe_status add_end(const struct station *at, struct hobe_surface *s,
+                                struct hobe_error *err)
+{
+    const struct hobe_surface *face = &at->face;
+    const int first = s->points, turned = at->at == 0;
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; !status && i < face->points; i++)
+        status = add_point(at, i, s, err);
+    for (int t = 0; t < face->triangles; t++) {
+        const int *n = face->triangle[t];
+        hobe_surface_triangle(s, first + n[0], first + n[1 + turned], first + n[2 - turned]);
+    }
+    for (int e = 0; e < face->edges; e++)
+        hobe_surface_edge(s, first + face->edge[e][0], first + face->edge[e][1]);
+    return status;
+}
+
+/* The wall between the outline from point `first` of s on and the next one. */
+static void add_wall(const struct profile *p, int first, struct hobe_surface *s)
+{
+    for (int i = 0; i < p->points; i++) {
+        const int a = first + i, b = first + p->next[i];
+        hobe_surface_triangle(s, a, b, b + p->points);
+        hobe_surface_triangle(s, a, b + p->points, a + p->points);
+        if (p->sharp[i])
+            hobe_surface_edge(s, a, a + p->points);
+    }
+}
+
+static int steps_of(const struct beam *beam)
+{
+    const int elements = beam->spec.elements, even = STEPS / elements;
+    const int most = even < MOST_STEPS ? even : MOST_STEPS;
+    return elements * (most > LEAST_STEPS ? most : LEAST_STEPS);
+}
+
+/* Room for one more beam. */
+static enum hobe_status make_room(const struct hobe_surface *face, const struct profile *p,
+                                  int steps, struct hobe_surface *s, struct hobe_error *err)
+{
+    int corners = 0;
+    for (int i = 0; i < p->points; i++)
+        corners += p->sharp[i];
+    return hobe_surface_grow(s, (steps + 1) * p->points + 2 * face->points,
+                             2 * steps * p->points + 2 * face->triangles,
+                             steps * corners + 2 * face->edges, err);
+}
+
+/* The outline from end to end, after both ends. */
+static enum hobe_status add_skin(struct station *at, const struct profile *p,
+                                 struct hobe_surface *s, struct hobe_error *err)
+{
+    const int steps = steps_of(at->beam);
+    enum hobe_status status = make_room(&at->face, p, steps, s, err);
+    if (!status)
+        status = add_end(at, s, err);
+    for (int k = 0; !status && k <= steps; k++) {
+        const int first = s->points;
+        status = move_station(at, (double)k / steps, err);
+        for (int i = 0; !status && i < p->points; i++)
+            status = add_point(at, p->at[i], s, err);
+        if (!status && k > 0)
+            add_wall(p, first - p->points, s);
+    }
+    return status ? status : add_end(at, s, err);
+}
+
+static enum hobe_status add_beam(const struct motion *motion, const struct beam *beam,
+                                 struct hobe_surface *s, struct hobe_error *err)
+{
+    struct station at = {.motion = motion, .beam = beam};
+    struct hobe_section_properties properties;
+    struct profile profile;
+    enum hobe_status status = move_station(&at, 0, err);
+    if (!status) {
+        hobe_section_properties(at.section, &properties);
+        const double size = hypot(properties.width, properties.height);
+        status = make_profile(&at.face, size / PER_SIZE, &profile, err);
+    }
+    if (!status) {
+        status = add_skin(&at, &profile, s, err);
+        free_profile(&profile);
+    }
+    close_station(&at);
+    return status;
+}
+
+static enum hobe_status sweep(const struct motion *motion, struct hobe_surface *surface,
+                              struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    *surface = (struct hobe_surface){0};
+    for (size_t i = 0; !status && i < motion->model->beams.count; i++)
+        status = add_beam(motion, model_beam(motion->model, i), surface, err);
+    if (status)
+        hobe_surface_free(surface);
+    return status;
+}
+
+enum hobe_status hobe_solution_surface(const hobe_solution *solution,
+                                       const struct hobe_field *field, struct hobe_surface *surface,
+                                       struct hobe_error *err)
+{
+    const struct motion motion = {.model = solution->model, .solution = solution, .field = field};
+    return sweep(&motion, surface, err);
+}
+
+enum hobe_status hobe_modes_surface(const hobe_modes *modes, int i, const struct hobe_field *field,
+                                    struct hobe_surface *surface, struct hobe_error *err)
+{
+    const struct motion motion = {
+        .model = modes_model(modes), .modes = modes, .mode = i, .field = field};
+    return sweep(&motion, surface, err);
+}
