@@ -163,38 +163,19 @@ struct station {
     const struct motion *motion;
     const struct beam *beam;
     double at;
-    const hobe_section *section;
-    hobe_section *made; /* NULL where the section does not vary */
     struct hobe_surface face;
 };
-
-static void close_station(struct station *s)
-{
-    hobe_surface_free(&s->face);
-    hobe_section_free(s->made);
-}
 
 /* Makes the section at another place of the beam, whose surface is numbered alike. */
 static enum hobe_status move_station(struct station *s, double at, struct hobe_error *err)
 {
-    const int points = s->face.points;
+    const hobe_section *section = s->beam->spec.section;
     s->at = at;
-    if (s->section && !s->made)
+    if (s->face.points && !hobe_section_varies(section))
         return HOBE_OK;
-    close_station(s);
-    s->section = s->beam->spec.section;
-    s->made = NULL;
+    hobe_surface_free(&s->face);
     s->face = (struct hobe_surface){0};
-    if (hobe_section_varies(s->section))
-        s->section = s->made = hobe_section_at(s->section, at, err);
-    if (!s->section)
-        return err ? err->status : HOBE_NO_MEMORY;
-    const enum hobe_status status = hobe_section_surface(s->section, FINENESS, &s->face, err);
-    if (!status && points && s->face.points != points)
-        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "beam \"%s\" cannot be drawn: its section has another mesh at %g",
-                         s->beam->name, at);
-    return status;
+    return hobe_section_surface_at(section, at, FINENESS, &s->face, err);
 }
 
 /* Adds point i of the section's surface. */
@@ -212,8 +193,10 @@ static enum hobe_status add_point(const struct station *at, int i, struct hobe_s
     else
         status = modes_displacement(motion->modes, motion->mode, at->beam->name, at->at, y, z,
                                     point.r0, point.u, err);
+    const struct hobe_section_place place = {at->at, at->beam->length};
     if (!status && !motion->field->value)
-        status = hobe_section_function(at->section, motion->field->name, y, z, f, err);
+        status = hobe_section_function_at(at->beam->spec.section, motion->field->name, &place, y, z,
+                                          f, err);
     if (status)
         return status;
     memcpy(s->point[p], point.r0, sizeof point.r0);
@@ -298,7 +281,7 @@ static enum hobe_status add_beam(const struct motion *motion, const struct beam 
     struct profile profile;
     enum hobe_status status = move_station(&at, 0, err);
     if (!status) {
-        hobe_section_properties(at.section, &properties);
+        hobe_section_properties(beam->spec.section, &properties);
         const double size = hypot(properties.width, properties.height);
         status = make_profile(&at.face, size / PER_SIZE, &profile, err);
     }
@@ -306,7 +289,7 @@ static enum hobe_status add_beam(const struct motion *motion, const struct beam 
         status = add_skin(&at, &profile, s, err);
         free_profile(&profile);
     }
-    close_station(&at);
+    hobe_surface_free(&at.face);
     return status;
 }
 

@@ -288,16 +288,23 @@ const char *hobe_section_text(const hobe_section *section)
     return section->text;
 }
 
-enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
-                                       double z, double *f, struct hobe_error *err)
+enum hobe_status hobe_section_function_at(const hobe_section *section, const char *name,
+                                          const struct hobe_section_place *place, double y,
+                                          double z, double *f, struct hobe_error *err)
 {
     const int function = find_function(name);
     double all[HOBE_SECTION_FUNCTIONS][4] = {{0}};
     if (function == HOBE_SECTION_FUNCTIONS)
         return hobe_fail(err, HOBE_UNKNOWN, NULL,
                          "a section has no function %s; it has w, wy and wz", name);
-    const enum hobe_status status = functions_at(section, 0, NULL, y, z, all, err);
+    const enum hobe_status status = functions_at(section, 0, place, y, z, all, err);
     if (!status)
         memcpy(f, all[function], 3 * sizeof *f);
     return status;
+}
+
+enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
+                                       double z, double *f, struct hobe_error *err)
+{
+    return hobe_section_function_at(section, name, NULL, y, z, f, err);
 }

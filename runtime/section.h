@@ -51,6 +51,17 @@ enum hobe_status hobe_section_functions_at(const hobe_section *section,
                                            const struct hobe_section_place *place, double y,
                                            double z, double (*f)[4], struct hobe_error *err);
 
+/* One function and its gradient at (y, z) of a place (NULL: at 0), as hobe_section_function: f[3].
+ */
+enum hobe_status hobe_section_function_at(const hobe_section *section, const char *name,
+                                          const struct hobe_section_place *place, double y,
+                                          double z, double *f, struct hobe_error *err);
+
+/* The surface of hobe_section_surface at a fraction of the beam's length, numbered alike along it.
+ */
+enum hobe_status hobe_section_surface_at(const hobe_section *section, double at, int fineness,
+                                         struct hobe_surface *surface, struct hobe_error *err);
+
 /* Places at which the material's volume is watched there: probe[HOBE_PROBES][2]. */
 enum hobe_status hobe_section_probes_at(const hobe_section *section,
                                         const struct hobe_section_place *place, double (*probe)[2],
@@ -101,6 +112,8 @@ struct hobe_section_kind {
     enum hobe_status (*functions_at)(const hobe_section *section, int paper,
                                      const struct hobe_section_place *place, double y, double z,
                                      double (*f)[4], struct hobe_error *err);
+    enum hobe_status (*surface_at)(const hobe_section *section, double at, int fineness,
+                                   struct hobe_surface *surface, struct hobe_error *err);
     /* Its area at a fraction of the beam's length, and its probes unless NULL. */
     enum hobe_status (*shape_at)(const hobe_section *section, double at, double *area,
                                  double (*probe)[2], struct hobe_error *err);

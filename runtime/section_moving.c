@@ -3,6 +3,7 @@
 #include "section_shape.h"
 
 #include "saint_venant.h"
+#include "section_surface.h"
 
 #include <math.h>
 #include <string.h>
@@ -224,5 +225,22 @@ static enum hobe_status moving_functions(const void *field, const double *values
     return status;
 }
 
-const struct hobe_section_field hobe_shape_field = {open_moving, solve_moving, moving_rule,
-                                                    moving_functions, close_moving};
+static enum hobe_status moving_surface(const void *field, const double *values,
+                                       struct hobe_surface *surface, struct hobe_error *err)
+{
+    struct here h;
+    enum hobe_status status = read_values(field, values, &h, err);
+    if (!status)
+        status = hobe_surface_mesh(&h.mesh, surface, err);
+    free_here(&h);
+    return status;
+}
+
+const struct hobe_section_field hobe_shape_field = {
+    .open = open_moving,
+    .solve = solve_moving,
+    .rule = moving_rule,
+    .functions = moving_functions,
+    .surface = moving_surface,
+    .close = close_moving,
+};

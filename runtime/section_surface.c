@@ -149,3 +149,11 @@ enum hobe_status hobe_section_field(const hobe_section *section, const char *fun
         hobe_surface_free(surface);
     return status;
 }
+
+enum hobe_status hobe_section_surface_at(const hobe_section *section, double at, int fineness,
+                                         struct hobe_surface *surface, struct hobe_error *err)
+{
+    return section->kind->surface_at
+               ? section->kind->surface_at(section, at, fineness, surface, err)
+               : hobe_section_surface(section, fineness, surface, err);
+}

@@ -237,6 +237,27 @@ static enum hobe_status properties_at(const hobe_section *section, double at,
     return HOBE_OK;
 }
 
+static enum hobe_status surface_at(const hobe_section *section, double at, int fineness,
+                                   struct hobe_surface *surface, struct hobe_error *err)
+{
+    const struct taper *t = as_taper(section);
+    const struct hobe_section_field *field = field_of(t);
+    if (field) {
+        double *values = series_at(&t->values, at, err);
+        const enum hobe_status status =
+            values ? field->surface(t->field, values, surface, err) : HOBE_NO_MEMORY;
+        hobe_free(values);
+        return status;
+    }
+    hobe_section *here = section_at(section, at, 1, err);
+    const enum hobe_status status = here  ? hobe_section_surface(here, fineness, surface, err)
+                                    : err ? err->status
+                                          : HOBE_NO_MEMORY;
+    if (here)
+        hobe_section_free(here);
+    return status;
+}
+
 static void close_taper(hobe_section *section)
 {
     struct taper *t = (struct taper *)section;
@@ -251,6 +272,7 @@ static const struct hobe_section_kind taper_kind = {
     .close = close_taper,
     .rule_at = rule_at,
     .functions_at = functions_at,
+    .surface_at = surface_at,
     .shape_at = shape_at,
     .properties_at = properties_at,
 };

@@ -34,6 +34,9 @@ struct hobe_section_field {
                              struct hobe_error *err);
     enum hobe_status (*functions)(const void *field, const double *values, double y, double z,
                                   double (*f)[4], struct hobe_error *err);
+    /* Its surface there, numbered alike all along. */
+    enum hobe_status (*surface)(const void *field, const double *values,
+                                struct hobe_surface *surface, struct hobe_error *err);
     void (*close)(void *field);
 };
 
