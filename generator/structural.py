@@ -12,11 +12,12 @@ and the energy per length is a quadratic form in the changes since the reference
     kappa   = 1/2 sum_i e_i x e_i', on the frame  torsion, two bendings
     E_yy = a.a/2,  E_zz = b.b/2,  2 E_yz = a.b    the section's own strain.
 
-The first six are the rod's strains n.  In components on the frame, Y_I of the section vectors D_I =
-(r', a', b', a, b), a change x of a and b turns the frame by the spin w = L x; seen from the frame
-then, Y changes by x_I - w x Y_I.  L also makes the curvature, kappa = L (a', b'), which changes by
-L (x_a' - kappa x x_a, x_b' - kappa x x_b).  Forces go the other way: a moment m on the frame is the
-forces L' m on a and b, for which a x P_a + b x P_b = m.  So, with stresses t = Q n,
+The first six are the rod's strains n.  Let Y_I be the components on the frame of the section
+vectors D_I = r', a', b', a, b.  A change x of a and b turns the frame by the spin w = L x; seen
+from the frame then, Y changes by x_I - w x Y_I.  L also makes the curvature, kappa = L (a', b'),
+which changes by L (x_a' - kappa x x_a, x_b' - kappa x x_b).  Forces go the other way, by the
+transpose: a moment m on the frame is the forces L' m on a and b, for which a x P_a + b x P_b = m.
+So, with stresses t = Q n,
 
     P_r' = t_Gamma,   (P_a', P_b') = L' t_kappa,
     P_a = kappa x P_a',  P_b = kappa x P_b', and forces that balance the moment sum_I P_I x Y_I,
