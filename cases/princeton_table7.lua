@@ -84,8 +84,8 @@ local function tip(row, n, integration)
   return solve(row, n, integration):displacement("blade", 1)[3]
 end
 
--- The published digits hold to this; 3333 and MGD30 at one element do not (0.6 and 0.5 %), for us as
--- for the prototype, nor does 3333s (2.7 %).
+-- The published digits hold to this; 3333 and MGD30 at one element do not (0.6 and 0.5 %), for us
+-- as for the prototype, nor does 3333s (1.9 %).
 local published_within, recomputed_within = 2.6e-3, 2e-4
 local apart = { ["3333"] = true, MGD30 = true, ["3333s"] = true }
 

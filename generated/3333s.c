@@ -5,7 +5,7 @@
  * modes 1 y z
  * 2 Gauss points on the axis for the rod's strains, 3 Lobatto points for the section's
  * vectors (mode@node, ' for d/dx): 1@1 y@1 z@1 1@2 y@2 z@2 1@3 y@3 z@3
- * operations per element: force 2993, force and tangent 27619, energy 1981
+ * operations per element: force 3535, force and tangent 32279, energy 2395
  */
 #include "kernel.h"
 
@@ -383,6 +383,26 @@ static inline void vector_product(const hobe_real *a, const hobe_real *b, hobe_r
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* c += a x b */
+static inline void add_product(const hobe_real *a, const hobe_real *b, hobe_real *c)
+{
+    hobe_real p[3];
+    vector_product(a, b, p);
+    for (int i = 0; i < 3; i++) {
+        c[i] += p[i];
+    }
+}
+
+/* Y_Ii = e_i.D_I */
+static void components(const hobe_real *e, const hobe_real *D, hobe_real *Y)
+{
+    for (int k = 0; k < S; k++) {
+        for (int i = 0; i < 3; i++) {
+            Y[3 * k + i] = dot(e + 3 * i, D + 3 * k);
+        }
+    }
+}
+
 /* The frame e_1, e_2, e_3 of a section with d_y = a, d_z = b; size = |a x b|, |b| */
 static void frame(const hobe_real *a, const hobe_real *b, hobe_real *e, hobe_real *size)
 {
@@ -411,29 +431,40 @@ static void unit_change(const hobe_real *n, hobe_real size, const hobe_real *d, 
     }
 }
 
-/* n[NN] of components Y[3][3] of r', a', b' */
-static void rod_strains(const hobe_real *Y, hobe_real *n)
+/* w = L (a, b), the spin of the frame with changes a, b of Y_a = (0, alpha, gamma) and
+ * Y_b = (0, 0, beta); components 10, 11 and 14 of Y */
+static void spin(const hobe_real *Y, const hobe_real *a, const hobe_real *b, hobe_real *w)
 {
-    for (int i = 0; i < 3; i++) {
-        n[i] = Y[i];
-    }
-    n[3] = 0.5 * (Y[5] - Y[7]);
-    n[4] = Y[6];
-    n[5] = zero - Y[3];
+    w[0] = zero - b[1] / Y[14];
+    w[1] = b[0] / Y[14];
+    w[2] = (w[1] * Y[11] - a[0]) / Y[10];
 }
 
-/* P[3][3] = (dn/dY)' t, the transpose of rod_strains */
-static void rod_stresses(const hobe_real *t, hobe_real *P)
+/* P[2][3] = L' m, forces on a and b */
+static void couple(const hobe_real *Y, const hobe_real *m, hobe_real *P)
 {
+    P[0] = zero - m[2] / Y[10];
+    P[1] = zero;
+    P[2] = zero;
+    P[3] = (m[1] - Y[11] * P[0]) / Y[14];
+    P[4] = zero - m[0] / Y[14];
+    P[5] = zero;
+}
+
+/* n[NN] = the changes of Gamma and kappa where components have changed by x to Y */
+static void rod_strains(const hobe_real *kappa, const hobe_real *Y, const hobe_real *x,
+                        hobe_real *n)
+{
+    hobe_real p[6];
     for (int i = 0; i < 3; i++) {
-        P[i] = t[i];
+        n[i] = x[i];
     }
-    P[3] = zero - t[5];
-    P[4] = zero;
-    P[5] = 0.5 * t[3];
-    P[6] = t[4];
-    P[7] = zero - P[5];
-    P[8] = zero;
+    for (int i = 0; i < 6; i++) {
+        p[i] = x[3 + i];
+    }
+    add_product(x + 9, kappa, p);
+    add_product(x + 12, kappa, p + 3);
+    spin(Y, p, p + 3, n + 3);
 }
 
 /* n = changes of the rod's strains, without cancellation, and the frame e after them.  A
@@ -441,16 +472,15 @@ static void rod_stresses(const hobe_real *t, hobe_real *P)
  * t, D by U, and B is the mean of D. */
 static void rod_differences(const hobe_real *B, const hobe_real *U, hobe_real *e, hobe_real *n)
 {
-    hobe_real v[6], size[2], p[3], d[3], t[9], Y[9];
-    for (int i = 0; i < 6; i++) {
-        v[i] = B[9 + i] - 0.5 * U[9 + i];
+    hobe_real D[3 * S], Y[3 * S], x[3 * S], t[9], d[3], size[2], kappa[3];
+    for (int i = 0; i < 3 * S; i++) {
+        D[i] = B[i] - 0.5 * U[i];
     }
-    frame(v, v + 3, e, size);
-    vector_product(U + 9, B + 12, p);
-    vector_product(B + 9, U + 12, d);
-    for (int i = 0; i < 3; i++) {
-        d[i] += p[i];
-    }
+    frame(D + 9, D + 12, e, size);
+    components(e, D, Y);
+    spin(Y, Y + 3, Y + 6, kappa);
+    vector_product(U + 9, B + 12, d);
+    add_product(B + 9, U + 12, d);
     unit_change(e, size[0], d, t);
     unit_change(e + 6, size[1], U + 12, t + 6);
     for (int i = 0; i < 3; i++) {
@@ -458,19 +488,132 @@ static void rod_differences(const hobe_real *B, const hobe_real *U, hobe_real *e
         e[6 + i] += 0.5 * t[6 + i];
     }
     vector_product(t + 6, e, t + 3);
-    vector_product(e + 6, t, p);
+    add_product(e + 6, t, t + 3);
     for (int i = 0; i < 3; i++) {
-        t[3 + i] += p[i];
         e[3 + i] += 0.5 * t[3 + i];
     }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < S; k++) {
         for (int i = 0; i < 3; i++) {
-            Y[3 * k + i] = dot(t + 3 * i, B + 3 * k) + dot(e + 3 * i, U + 3 * k);
+            x[3 * k + i] = dot(t + 3 * i, B + 3 * k) + dot(e + 3 * i, U + 3 * k);
         }
     }
-    rod_strains(Y, n);
+    for (int i = 0; i < 3 * S; i++) {
+        Y[i] += x[i];
+    }
+    rod_strains(kappa, Y, x, n);
     for (int i = 0; i < 9; i++) {
         e[i] += 0.5 * t[i];
+    }
+}
+
+/* P_r' = t, (P_a', P_b') = p, nothing yet on a and b */
+static void slope_forces(const hobe_real *t, const hobe_real *p, hobe_real *P)
+{
+    for (int i = 0; i < 3; i++) {
+        P[i] = t[i];
+    }
+    for (int i = 0; i < 6; i++) {
+        P[3 + i] = p[i];
+        P[9 + i] = zero;
+    }
+}
+
+/* Adds to P the forces on a and b that balance m and the moment of P */
+static void balance(const hobe_real *Y, hobe_real *m, hobe_real *P)
+{
+    hobe_real p[6];
+    for (int k = 0; k < S; k++) {
+        add_product(P + 3 * k, Y + 3 * k, m);
+    }
+    couple(Y, m, p);
+    for (int i = 0; i < 6; i++) {
+        P[9 + i] += p[i];
+    }
+}
+
+/* The components of P_I = dW/dD_I, the curvature, and p = L' t_kappa */
+static void frame_force(const hobe_real *t, const hobe_real *Y, hobe_real *kappa, hobe_real *p,
+                        hobe_real *P)
+{
+    hobe_real m[3] = {zero, zero, zero};
+    spin(Y, Y + 3, Y + 6, kappa);
+    couple(Y, t + 3, p);
+    slope_forces(t, p, P);
+    add_product(kappa, p, P + 9);
+    add_product(kappa, p + 3, P + 12);
+    balance(Y, m, P);
+}
+
+/* P_I = dW/dD_I of the rod's strains */
+static void rod_force(const hobe_real *t, const hobe_real *D, const hobe_real *e, hobe_real *P)
+{
+    hobe_real Y[3 * S], F[3 * S], kappa[3], p[6];
+    components(e, D, Y);
+    frame_force(t, Y, kappa, p, F);
+    for (int k = 0; k < S; k++) {
+        for (int a = 0; a < 3; a++) {
+            P[3 * k + a] = e[a] * F[3 * k] + e[3 + a] * F[3 * k + 1] + e[6 + a] * F[3 * k + 2];
+        }
+    }
+}
+
+/* C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force
+ * with component b of D_J */
+static void rod_stiffness(const double *Q, const hobe_real *t, const hobe_real *D,
+                          const hobe_real *e, hobe_real *C)
+{
+    hobe_real Y[3 * S], F[3 * S], x[3 * S], P[3 * S];
+    hobe_real kappa[3], w[3], m[3], p[6], q[6], n[NN], s[NN];
+    components(e, D, Y);
+    frame_force(t, Y, kappa, p, F);
+    for (int j = 0; j < S; j++) {
+        for (int b = 0; b < 3; b++) {
+            for (int i = 0; i < 3 * S; i++) {
+                x[i] = zero;
+            }
+            for (int i = 0; i < 3; i++) {
+                x[3 * j + i] = e[3 * i + b];
+            }
+            spin(Y, x + 9, x + 12, w);
+            for (int k = 0; k < S; k++) {
+                add_product(Y + 3 * k, w, x + 3 * k);
+            }
+            rod_strains(kappa, Y, x, n);
+            for (int r = 0; r < NN; r++) {
+                s[r] = zero;
+            }
+            for (int c = 0; c < NN; c++) {
+                for (int r = 0; r < NN; r++) {
+                    s[r] += Q[c * NN + r] * n[c];
+                }
+            }
+            /* frame_force differentiated */
+            for (int i = 0; i < 3; i++) {
+                m[i] = s[3 + i];
+            }
+            add_product(p, x + 9, m);
+            add_product(p + 3, x + 12, m);
+            couple(Y, m, q);
+            slope_forces(s, q, P);
+            for (int i = 0; i < 2; i++) {
+                add_product(n + 3, p + 3 * i, P + 9 + 3 * i);
+                add_product(kappa, q + 3 * i, P + 9 + 3 * i);
+            }
+            for (int i = 0; i < 3; i++) {
+                m[i] = zero;
+            }
+            for (int k = 0; k < S; k++) {
+                add_product(F + 3 * k, x + 3 * k, m);
+            }
+            balance(Y, m, P);
+            for (int k = 0; k < S; k++) {
+                hobe_real *f = P + 3 * k, *c_ab = C + 9 * (k * S + j) + b;
+                add_product(w, F + 3 * k, f);
+                for (int a = 0; a < 3; a++) {
+                    c_ab[3 * a] = e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];
+                }
+            }
+        }
     }
 }
 
@@ -490,126 +633,6 @@ static void section_stresses(const hobe_real *t, const hobe_real *D, hobe_real *
     }
     for (int a = 0; a < 3; a++) {
         P[12 + a] += t[1] * D[12 + a] + t[2] * D[9 + a];
-    }
-}
-
-/* m += P x Y */
-static void add_moment(const hobe_real *P, const hobe_real *Y, hobe_real *m)
-{
-    hobe_real c[3];
-    vector_product(P, Y, c);
-    for (int a = 0; a < 3; a++) {
-        m[a] += c[a];
-    }
-}
-
-/* The forces on a and b that turn the frame: a x P_a + b x P_b = m, on Y_a = (0, alpha,
- * gamma) and Y_b = (0, 0, beta) */
-static void balance(const hobe_real *Y, const hobe_real *m, hobe_real *P)
-{
-    P[9] = zero - m[2] / Y[10];
-    P[10] = zero;
-    P[11] = zero;
-    P[12] = (m[1] - Y[11] * P[9]) / Y[14];
-    P[13] = zero - m[0] / Y[14];
-    P[14] = zero;
-}
-
-/* Y_Ii = e_i.D_I */
-static void components(const hobe_real *e, const hobe_real *D, hobe_real *Y)
-{
-    for (int k = 0; k < S; k++) {
-        for (int i = 0; i < 3; i++) {
-            Y[3 * k + i] = dot(e + 3 * i, D + 3 * k);
-        }
-    }
-}
-
-/* The components of P_I = dW/dD_I of the rod's strains */
-static void frame_force(const hobe_real *t, const hobe_real *Y, hobe_real *P)
-{
-    hobe_real m[3] = {zero, zero, zero};
-    rod_stresses(t, P);
-    for (int k = 0; k < M; k++) {
-        add_moment(P + 3 * k, Y + 3 * k, m);
-    }
-    balance(Y, m, P);
-}
-
-/* P_I = dW/dD_I of the rod's strains */
-static void rod_force(const hobe_real *t, const hobe_real *D, const hobe_real *e, hobe_real *P)
-{
-    hobe_real Y[3 * S], F[3 * S];
-    components(e, D, Y);
-    frame_force(t, Y, F);
-    for (int k = 0; k < S; k++) {
-        for (int a = 0; a < 3; a++) {
-            P[3 * k + a] = e[a] * F[3 * k] + e[3 + a] * F[3 * k + 1] + e[6 + a] * F[3 * k + 2];
-        }
-    }
-}
-
-/* The spin w of the frame where D changes by x, and x turned into the change of Y */
-static void spin(const hobe_real *Y, hobe_real *x, hobe_real *w)
-{
-    hobe_real c[3];
-    w[0] = zero - x[13] / Y[14];
-    w[1] = x[12] / Y[14];
-    w[2] = (w[1] * Y[11] - x[9]) / Y[10];
-    for (int k = 0; k < S; k++) {
-        vector_product(w, Y + 3 * k, c);
-        for (int a = 0; a < 3; a++) {
-            x[3 * k + a] -= c[a];
-        }
-    }
-}
-
-/* C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force
- * with component b of D_J */
-static void rod_stiffness(const double *Q, const hobe_real *t, const hobe_real *D,
-                          const hobe_real *e, hobe_real *C)
-{
-    hobe_real Y[3 * S], F[3 * S], x[3 * S], P[3 * S], w[3], n[NN], s[NN], f[3];
-    components(e, D, Y);
-    frame_force(t, Y, F);
-    for (int j = 0; j < S; j++) {
-        for (int b = 0; b < 3; b++) {
-            hobe_real m[3] = {zero, zero, zero};
-            for (int i = 0; i < 3 * S; i++) {
-                x[i] = zero;
-            }
-            for (int i = 0; i < 3; i++) {
-                x[3 * j + i] = e[3 * i + b];
-            }
-            spin(Y, x, w);
-            rod_strains(x, n);
-            for (int r = 0; r < NN; r++) {
-                s[r] = zero;
-            }
-            for (int c = 0; c < NN; c++) {
-                for (int r = 0; r < NN; r++) {
-                    s[r] += Q[c * NN + r] * n[c];
-                }
-            }
-            rod_stresses(s, P);
-            for (int k = 0; k < M; k++) {
-                add_moment(P + 3 * k, Y + 3 * k, m);
-            }
-            for (int k = 0; k < S; k++) {
-                add_moment(F + 3 * k, x + 3 * k, m);
-            }
-            balance(Y, m, P);
-            for (int k = 0; k < S; k++) {
-                vector_product(w, F + 3 * k, f);
-                for (int a = 0; a < 3; a++) {
-                    f[a] += P[3 * k + a];
-                }
-                hobe_real *c_ab = C + 9 * (k * S + j) + b;
-                for (int a = 0; a < 3; a++) {
-                    c_ab[3 * a] = e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];
-                }
-            }
-        }
     }
 }
 
@@ -913,8 +936,8 @@ const struct hobe_kernel HOBE_KERNEL(3333s) = {
     .degree = 1,
     .normals = NN,
     .shears = NS,
-    .flops_force = 2993,
-    .flops_tangent = 27619,
+    .flops_force = 3535,
+    .flops_tangent = 32279,
     .scratch = 126,
     .node = node,
     .axis_rule = axis_rule,

@@ -2,24 +2,27 @@
 """Stage 4 for the form "structural": a rod whose section can stretch and shear (Nachbagauer, Gruber
 & Gerstmayr 2013), on the same shape functions.
 
-With r' = d_0', a = d_y, b = d_z the section carries a frame, the QR factors of (b, a),
+With a = d_y, b = d_z the section carries a frame, the QR factors of (b, a),
 
     e_3 = b/|b|,  e_1 = a x b/|a x b|,  e_2 = e_3 x e_1,  a = alpha e_2 + gamma e_3,  b = beta e_3,
 
 and the energy per length is a quadratic form in the changes since the reference of
 
-    Gamma_1 = e_1.r',  Gamma_2 = e_2.r',  Gamma_3 = e_3.r'                stretch, shear
-    kappa_1 = (e_3.a' - e_2.b')/2,  kappa_2 = e_1.b',  kappa_3 = -e_1.a'  torsion, bending
-    E_yy = a.a/2,  E_zz = b.b/2,  2 E_yz = a.b                            the section's own strain.
+    Gamma_i = e_i.r'                              stretch, two shears
+    kappa   = 1/2 sum_i e_i x e_i', on the frame  torsion, two bendings
+    E_yy = a.a/2,  E_zz = b.b/2,  2 E_yz = a.b    the section's own strain.
 
-The first six, the rod's strains n, are linear in the components Y_Ii = e_i.D_I of the three slopes
-D_I = r', a', b'.  A change of D turns the frame by a spin w that a and b decide; seen from the
-frame Y changes by x_I - w x Y_I, where x_I are the components of the change of D_I.  So the slopes
-take the forces P_I = (dn/dY_I)' t, t = Q n, and a and b those that balance their moment,
+The first six are the rod's strains n.  Let Y_I be the components on the frame of the section
+vectors D_I = r', a', b', a, b.  A change x of a and b turns the frame by the spin w = L x; seen
+from the frame then, Y changes by x_I - w x Y_I.  L also makes the curvature, kappa = L (a', b'),
+which changes by L (x_a' - kappa x x_a, x_b' - kappa x x_b).  Forces go the other way, by the
+transpose: a moment m on the frame is the forces L' m on a and b, for which a x P_a + b x P_b = m.
+So, with stresses t = Q n,
 
-    a x P_a + b x P_b = sum_I P_I x Y_I;
+    P_r' = t_Gamma,   (P_a', P_b') = L' t_kappa,
+    P_a = kappa x P_a',  P_b = kappa x P_b', and forces that balance the moment sum_I P_I x Y_I,
 
-the section's strains add their stresses times a and b.  For the tangent the same lines are
+and the section's strains add their stresses times a and b.  For the tangent these lines are
 differentiated, one component of D after the other: no matrix of second derivatives is written down.
 
 Points on the axis: where shape functions have degree p, p Gauss points for the rod's strains, so
@@ -29,7 +32,7 @@ that they do not lock, and p + 1 Lobatto points for the section's, so that no mo
 import sympy
 
 from .form import Form, axis3, filled, given, numbers, product
-from .ir import Do, Function, If, loop
+from .ir import Do, Function, If, Note, loop
 
 
 def axis_rule(degree):
@@ -51,10 +54,10 @@ def _roots(polynomial):
 def form():
     rod, section = "g < ROD", "g >= ROD"
     return Form(
-        functions=(_vector_product(), _frame(), _unit_change(), _rod_strains(), _rod_stresses(),
-                   _rod_differences(), _section_strains(), _section_stresses(), _add_moment(),
-                   _balance(), _components(), _frame_force(), _rod_force(), _spin(),
-                   _rod_stiffness(), _section_force(), _section_stiffness()),
+        functions=(_vector_product(), _add_product(), _components(), _frame(), _unit_change(),
+                   _spin(), _couple(), _rod_strains(), _rod_differences(), _slope_forces(),
+                   _balance(), _frame_force(), _rod_force(), _rod_stiffness(), _section_strains(),
+                   _section_stresses(), _section_force(), _section_stiffness()),
         arrays=(Do("hobe_real e[9], n[NN], t[NN];", free=True),),
         law=(Do("const double *Qn = inv->Qn + inv->step_n * g;", free=True),
              Do("const double *Qs = inv->Qs + inv->step_s * g;", free=True)),
@@ -68,7 +71,7 @@ def form():
                    If(section, (Do("section_stiffness(Qs, t, B, C);"),))))
 
 
-# ---- frame and strains ---------------------------------------------------------------------------
+# ---- frame and spin ------------------------------------------------------------------------------
 
 def _vector_product():
     return Function(
@@ -76,6 +79,21 @@ def _vector_product():
         (Do("c[0] = a[1] * b[2] - a[2] * b[1];"),
          Do("c[1] = a[2] * b[0] - a[0] * b[2];"),
          Do("c[2] = a[0] * b[1] - a[1] * b[0];")), result="inline void")
+
+
+def _add_product():
+    return Function(
+        "add_product", (*given("a", "b"), *filled("c")), "c += a x b",
+        (Do("hobe_real p[3];", free=True),
+         Do("vector_product(a, b, p);"),
+         loop("i", "3", Do("c[i] += p[i];"))),
+        result="inline void")
+
+
+def _components():
+    return Function(
+        "components", (*given("e", "D"), *filled("Y")), "Y_Ii = e_i.D_I",
+        (loop("k", "S", loop("i", "3", Do("Y[3 * k + i] = dot(e + 3 * i, D + 3 * k);"))),))
 
 
 def _frame():
@@ -101,26 +119,39 @@ def _unit_change():
          loop("i", "3", Do("t[i] = (d[i] - more * n[i]) / now;"))))
 
 
+def _spin():
+    return Function(
+        "spin", (*given("Y", "a", "b"), *filled("w")),
+        "w = L (a, b), the spin of the frame with changes a, b of Y_a = (0, alpha, gamma) and\n"
+        " * Y_b = (0, 0, beta); components 10, 11 and 14 of Y",
+        (Do("w[0] = zero - b[1] / Y[14];"),
+         Do("w[1] = b[0] / Y[14];"),
+         Do("w[2] = (w[1] * Y[11] - a[0]) / Y[10];")))
+
+
+def _couple():
+    return Function(
+        "couple", (*given("Y", "m"), *filled("P")), "P[2][3] = L' m, forces on a and b",
+        (Do("P[0] = zero - m[2] / Y[10];"),
+         Do("P[1] = zero;"),
+         Do("P[2] = zero;"),
+         Do("P[3] = (m[1] - Y[11] * P[0]) / Y[14];"),
+         Do("P[4] = zero - m[0] / Y[14];"),
+         Do("P[5] = zero;")))
+
+
+# ---- the rod's part, in components on its frame --------------------------------------------------
+
 def _rod_strains():
     return Function(
-        "rod_strains", (*given("Y"), *filled("n")), "n[NN] of components Y[3][3] of r', a', b'",
-        (loop("i", "3", Do("n[i] = Y[i];")),
-         Do("n[3] = 0.5 * (Y[5] - Y[7]);"),
-         Do("n[4] = Y[6];"),
-         Do("n[5] = zero - Y[3];")))
-
-
-def _rod_stresses():
-    return Function(
-        "rod_stresses", (*given("t"), *filled("P")),
-        "P[3][3] = (dn/dY)' t, the transpose of rod_strains",
-        (loop("i", "3", Do("P[i] = t[i];")),
-         Do("P[3] = zero - t[5];"),
-         Do("P[4] = zero;"),
-         Do("P[5] = 0.5 * t[3];"),
-         Do("P[6] = t[4];"),
-         Do("P[7] = zero - P[5];"),
-         Do("P[8] = zero;")))
+        "rod_strains", (*given("kappa", "Y", "x"), *filled("n")),
+        "n[NN] = the changes of Gamma and kappa where components have changed by x to Y",
+        (Do("hobe_real p[6];", free=True),
+         loop("i", "3", Do("n[i] = x[i];")),
+         loop("i", "6", Do("p[i] = x[3 + i];")),
+         Do("add_product(x + 9, kappa, p);"),
+         Do("add_product(x + 12, kappa, p + 3);"),
+         Do("spin(Y, p, p + 3, n + 3);")))
 
 
 def _rod_differences():
@@ -129,23 +160,116 @@ def _rod_differences():
         "n = changes of the rod's strains, without cancellation, and the frame e after them.  A\n"
         " * product changes by (change of one) (mean of the other) + the reverse: e_i changes by\n"
         " * t, D by U, and B is the mean of D.",
-        (Do("hobe_real v[6], size[2], p[3], d[3], t[9], Y[9];", free=True),
-         loop("i", "6", Do("v[i] = B[9 + i] - 0.5 * U[9 + i];")),
-         Do("frame(v, v + 3, e, size);"),
-         Do("vector_product(U + 9, B + 12, p);"),
-         Do("vector_product(B + 9, U + 12, d);"),
-         loop("i", "3", Do("d[i] += p[i];")),
+        (Do("hobe_real D[3 * S], Y[3 * S], x[3 * S], t[9], d[3], size[2], kappa[3];", free=True),
+         loop("i", "3 * S", Do("D[i] = B[i] - 0.5 * U[i];")),
+         Do("frame(D + 9, D + 12, e, size);"),
+         Do("components(e, D, Y);"),
+         Do("spin(Y, Y + 3, Y + 6, kappa);"),
+         Do("vector_product(U + 9, B + 12, d);"),
+         Do("add_product(B + 9, U + 12, d);"),
          Do("unit_change(e, size[0], d, t);"),
          Do("unit_change(e + 6, size[1], U + 12, t + 6);"),
          loop("i", "3", Do("e[i] += 0.5 * t[i];"), Do("e[6 + i] += 0.5 * t[6 + i];")),
          Do("vector_product(t + 6, e, t + 3);"),
-         Do("vector_product(e + 6, t, p);"),
-         loop("i", "3", Do("t[3 + i] += p[i];"), Do("e[3 + i] += 0.5 * t[3 + i];")),
-         loop("k", "3", loop("i", "3", Do(
-             "Y[3 * k + i] = dot(t + 3 * i, B + 3 * k) + dot(e + 3 * i, U + 3 * k);"))),
-         Do("rod_strains(Y, n);"),
+         Do("add_product(e + 6, t, t + 3);"),
+         loop("i", "3", Do("e[3 + i] += 0.5 * t[3 + i];")),
+         loop("k", "S", loop("i", "3", Do(
+             "x[3 * k + i] = dot(t + 3 * i, B + 3 * k) + dot(e + 3 * i, U + 3 * k);"))),
+         loop("i", "3 * S", Do("Y[i] += x[i];")),
+         Do("rod_strains(kappa, Y, x, n);"),
          loop("i", "9", Do("e[i] += 0.5 * t[i];"))))
 
+
+def _slope_forces():
+    return Function(
+        "slope_forces", (*given("t", "p"), *filled("P")),
+        "P_r' = t, (P_a', P_b') = p, nothing yet on a and b",
+        (loop("i", "3", Do("P[i] = t[i];")),
+         loop("i", "6", Do("P[3 + i] = p[i];"), Do("P[9 + i] = zero;"))))
+
+
+def _balance():
+    return Function(
+        "balance", (*given("Y"), *filled("m", "P")),
+        "Adds to P the forces on a and b that balance m and the moment of P",
+        (Do("hobe_real p[6];", free=True),
+         loop("k", "S", Do("add_product(P + 3 * k, Y + 3 * k, m);")),
+         Do("couple(Y, m, p);"),
+         loop("i", "6", Do("P[9 + i] += p[i];"))))
+
+
+MOMENT = Do("hobe_real m[3] = {zero, zero, zero};", free=True)
+
+
+def _frame_force():
+    return Function(
+        "frame_force", (*given("t", "Y"), *filled("kappa", "p", "P")),
+        "The components of P_I = dW/dD_I, the curvature, and p = L' t_kappa",
+        (MOMENT,
+         Do("spin(Y, Y + 3, Y + 6, kappa);"),
+         Do("couple(Y, t + 3, p);"),
+         Do("slope_forces(t, p, P);"),
+         Do("add_product(kappa, p, P + 9);"),
+         Do("add_product(kappa, p + 3, P + 12);"),
+         Do("balance(Y, m, P);")))
+
+
+def _rod_force():
+    return Function(
+        "rod_force", (*given("t", "D", "e"), *filled("P")), "P_I = dW/dD_I of the rod's strains",
+        (Do("hobe_real Y[3 * S], F[3 * S], kappa[3], p[6];", free=True),
+         Do("components(e, D, Y);"),
+         Do("frame_force(t, Y, kappa, p, F);"),
+         loop("k", "S", axis3(
+             "P[3 * k + a] = e[a] * F[3 * k] + e[3 + a] * F[3 * k + 1] + e[6 + a] * F[3 * k + 2];"
+         ))))
+
+
+def _force_change():
+    """P from the changes n of strains, s of stresses, x of components; F, kappa and p are those of
+    frame_force."""
+    return (
+        Note("frame_force differentiated"),
+        loop("i", "3", Do("m[i] = s[3 + i];")),
+        Do("add_product(p, x + 9, m);"),
+        Do("add_product(p + 3, x + 12, m);"),
+        Do("couple(Y, m, q);"),
+        Do("slope_forces(s, q, P);"),
+        loop("i", "2",
+             Do("add_product(n + 3, p + 3 * i, P + 9 + 3 * i);"),
+             Do("add_product(kappa, q + 3 * i, P + 9 + 3 * i);")),
+        loop("i", "3", Do("m[i] = zero;")),
+        loop("k", "S", Do("add_product(F + 3 * k, x + 3 * k, m);")),
+        Do("balance(Y, m, P);"),
+    )
+
+
+def _rod_stiffness():
+    return Function(
+        "rod_stiffness", (*numbers("Q"), *given("t", "D", "e"), *filled("C")),
+        "C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force\n"
+        " * with component b of D_J",
+        (Do("hobe_real Y[3 * S], F[3 * S], x[3 * S], P[3 * S];", free=True),
+         Do("hobe_real kappa[3], w[3], m[3], p[6], q[6], n[NN], s[NN];", free=True),
+         Do("components(e, D, Y);"),
+         Do("frame_force(t, Y, kappa, p, F);"),
+         loop(
+             "j", "S", loop(
+                 "b", "3",
+                 loop("i", "3 * S", Do("x[i] = zero;")),
+                 loop("i", "3", Do("x[3 * j + i] = e[3 * i + b];")),
+                 Do("spin(Y, x + 9, x + 12, w);"),
+                 loop("k", "S", Do("add_product(Y + 3 * k, w, x + 3 * k);")),
+                 Do("rod_strains(kappa, Y, x, n);"),
+                 *product("NN", "Q", "n", "s"),
+                 *_force_change(),
+                 loop("k", "S",
+                      Do("hobe_real *f = P + 3 * k, *c_ab = C + 9 * (k * S + j) + b;", free=True),
+                      Do("add_product(w, F + 3 * k, f);"),
+                      axis3("c_ab[3 * a] = e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];"))))))
+
+
+# ---- the section's part --------------------------------------------------------------------------
 
 def _section_strains():
     return Function(
@@ -163,103 +287,6 @@ def _section_stresses():
         (axis3("P[9 + a] += t[0] * D[9 + a] + t[2] * D[12 + a];"),
          axis3("P[12 + a] += t[1] * D[12 + a] + t[2] * D[9 + a];")))
 
-
-# ---- the rod's part, in components on its frame --------------------------------------------------
-
-def _add_moment():
-    return Function(
-        "add_moment", (*given("P", "Y"), *filled("m")), "m += P x Y",
-        (Do("hobe_real c[3];", free=True),
-         Do("vector_product(P, Y, c);"),
-         axis3("m[a] += c[a];")))
-
-
-def _balance():
-    return Function(
-        "balance", (*given("Y", "m"), *filled("P")),
-        "The forces on a and b that turn the frame: a x P_a + b x P_b = m, on Y_a = (0, alpha,\n"
-        " * gamma) and Y_b = (0, 0, beta)",
-        (Do("P[9] = zero - m[2] / Y[10];"),
-         Do("P[10] = zero;"),
-         Do("P[11] = zero;"),
-         Do("P[12] = (m[1] - Y[11] * P[9]) / Y[14];"),
-         Do("P[13] = zero - m[0] / Y[14];"),
-         Do("P[14] = zero;")))
-
-
-def _components():
-    return Function(
-        "components", (*given("e", "D"), *filled("Y")), "Y_Ii = e_i.D_I",
-        (loop("k", "S", loop("i", "3", Do("Y[3 * k + i] = dot(e + 3 * i, D + 3 * k);"))),))
-
-
-MOMENT = Do("hobe_real m[3] = {zero, zero, zero};", free=True)
-
-
-def _frame_force():
-    return Function(
-        "frame_force", (*given("t", "Y"), *filled("P")),
-        "The components of P_I = dW/dD_I of the rod's strains",
-        (MOMENT,
-         Do("rod_stresses(t, P);"),
-         loop("k", "M", Do("add_moment(P + 3 * k, Y + 3 * k, m);")),
-         Do("balance(Y, m, P);")))
-
-
-def _rod_force():
-    return Function(
-        "rod_force", (*given("t", "D", "e"), *filled("P")), "P_I = dW/dD_I of the rod's strains",
-        (Do("hobe_real Y[3 * S], F[3 * S];", free=True),
-         Do("components(e, D, Y);"),
-         Do("frame_force(t, Y, F);"),
-         loop("k", "S", axis3(
-             "P[3 * k + a] = e[a] * F[3 * k] + e[3 + a] * F[3 * k + 1] + e[6 + a] * F[3 * k + 2];"
-         ))))
-
-
-def _spin():
-    return Function(
-        "spin", (*given("Y"), *filled("x", "w")),
-        "The spin w of the frame where D changes by x, and x turned into the change of Y",
-        (Do("hobe_real c[3];", free=True),
-         Do("w[0] = zero - x[13] / Y[14];"),
-         Do("w[1] = x[12] / Y[14];"),
-         Do("w[2] = (w[1] * Y[11] - x[9]) / Y[10];"),
-         loop("k", "S",
-              Do("vector_product(w, Y + 3 * k, c);"),
-              axis3("x[3 * k + a] -= c[a];"))))
-
-
-def _rod_stiffness():
-    return Function(
-        "rod_stiffness", (*numbers("Q"), *given("t", "D", "e"), *filled("C")),
-        "C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force\n"
-        " * with component b of D_J",
-        (Do("hobe_real Y[3 * S], F[3 * S], x[3 * S], P[3 * S], w[3], n[NN], s[NN], f[3];",
-            free=True),
-         Do("components(e, D, Y);"),
-         Do("frame_force(t, Y, F);"),
-         loop(
-             "j", "S", loop(
-                 "b", "3",
-                 MOMENT,
-                 loop("i", "3 * S", Do("x[i] = zero;")),
-                 loop("i", "3", Do("x[3 * j + i] = e[3 * i + b];")),
-                 Do("spin(Y, x, w);"),
-                 Do("rod_strains(x, n);"),
-                 *product("NN", "Q", "n", "s"),
-                 Do("rod_stresses(s, P);"),
-                 loop("k", "M", Do("add_moment(P + 3 * k, Y + 3 * k, m);")),
-                 loop("k", "S", Do("add_moment(F + 3 * k, x + 3 * k, m);")),
-                 Do("balance(Y, m, P);"),
-                 loop("k", "S",
-                      Do("vector_product(w, F + 3 * k, f);"),
-                      axis3("f[a] += P[3 * k + a];"),
-                      Do("hobe_real *c_ab = C + 9 * (k * S + j) + b;", free=True),
-                      axis3("c_ab[3 * a] = e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];"))))))
-
-
-# ---- the section's part --------------------------------------------------------------------------
 
 def _section_force():
     return Function(

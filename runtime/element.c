@@ -352,6 +352,7 @@ static enum hobe_status paper_mass(hobe_element *element,
     return status;
 }
 
+/* Points on the axis: those the element brings, or Gauss's. */
 static int stations(const struct hobe_kernel *kernel, int varies, enum hobe_integration integration)
 {
     if (kernel->axis_rule)

@@ -26,8 +26,8 @@
  * 2013).  On the frame e_3 along d_z, e_1 normal to d_y and d_z, e_2 = e_3 x e_1 they are the
  * changes of
  *
- *     e_1.r', e_2.r', e_3.r', (e_3.d_y' - e_2.d_z')/2, e_1.d_z', -e_1.d_y'    the normal block,
- *     d_y.d_y/2, d_z.d_z/2, d_y.d_z                                            the shear block,
+ *     the components of r' and of 1/2 sum_i e_i x e_i'   the normal block: Gamma, kappa,
+ *     d_y.d_y/2, d_z.d_z/2, d_y.d_z                      the shear block: E_yy, E_zz, 2 E_yz,
  *
  * and the energy is no polynomial of q.
  *

@@ -50,18 +50,24 @@ static hobe_section *make_section(const struct taper *t, const double *n, int ba
     return t->like->kind->sizes->make(t->like, n, bare, err);
 }
 
-hobe_section *hobe_section_at(const hobe_section *section, double at, struct hobe_error *err)
+static hobe_section *section_at(const hobe_section *section, double at, int bare,
+                                struct hobe_error *err)
 {
     const struct taper *t = as_taper(section);
+    double *n = series_at(&t->numbers, at, err);
+    hobe_section *here = n ? make_section(t, n, bare, err) : NULL;
+    hobe_free(n);
+    return here;
+}
+
+hobe_section *hobe_section_at(const hobe_section *section, double at, struct hobe_error *err)
+{
     if (!hobe_section_varies(section)) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL, "this section is the same all along: %s",
                   section->text);
         return NULL;
     }
-    double *n = series_at(&t->numbers, at, err);
-    hobe_section *made = n ? make_section(t, n, 0, err) : NULL;
-    hobe_free(n);
-    return made;
+    return section_at(section, at, 0, err);
 }
 
 /* Sections at a place and around it, for their functions: step[k] has the numbers n + k h n', k =
@@ -201,16 +207,6 @@ static enum hobe_status functions_at(const hobe_section *section, int paper,
     add_rates(&a, place->length, paper, y, z, f);
     free_around(&a);
     return HOBE_OK;
-}
-
-static hobe_section *section_at(const hobe_section *section, double at, int bare,
-                                struct hobe_error *err)
-{
-    const struct taper *t = as_taper(section);
-    double *n = series_at(&t->numbers, at, err);
-    hobe_section *here = n ? make_section(t, n, bare, err) : NULL;
-    hobe_free(n);
-    return here;
 }
 
 static enum hobe_status shape_at(const hobe_section *section, double at, double *area,

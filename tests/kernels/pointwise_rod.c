@@ -1,82 +1,97 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The structural element's energy and force as its authors write them (Nachbagauer, Gruber &
- * Gerstmayr 2013): unit vectors differentiated by the chain rule, one degree of freedom after the
- * other, on the two Gauss and three Lobatto points of a quadratic beam. */
+ * Gerstmayr 2013): unit vectors and their derivatives along the beam by the chain rule, on the two
+ * Gauss and three Lobatto points of a quadratic beam.  The force differentiates the strains one
+ * degree of freedom after the other, with dual numbers. */
 #include "pointwise.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { SLOPE, SLOPE_Y, SLOPE_Z, Y, Z, FIELDS }; /* r_x, r_xy, r_xz, r_y, r_z */
 enum { RODS = 6, STRAINS = 9 };                 /* strains of the rod, then of the section */
 
-static number dot(const number *a, const number *b)
+/* A value and its derivative by one degree of freedom. */
+typedef struct {
+    number v, d;
+} dual;
+
+static dual plus(dual a, real factor, dual b)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    return (dual){a.v + factor * b.v, a.d + factor * b.d};
 }
 
-static void cross(const number *a, const number *b, number *c)
+static dual times(dual a, dual b)
 {
-    for (int i = 0; i < 3; i++)
-        c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+    return (dual){a.v * b.v, a.d * b.v + a.v * b.d};
 }
 
-/* n = v/|v|, and its change dn = (dv - n (n.dv))/|v| */
-static void unit(const number *v, const number *dv, number *n, number *dn)
+static dual over(dual a, dual b)
 {
-    number length = csqrtl(dot(v, v));
-    for (int i = 0; i < 3; i++)
-        n[i] = v[i] / length;
-    for (int i = 0; i < 3; i++)
-        dn[i] = (dv[i] - n[i] * dot(n, dv)) / length;
+    return (dual){a.v / b.v, (a.d - a.v / b.v * b.d) / b.v};
 }
 
-/* The frame e of a section, and its change de with that of the section's slopes. */
-static void frame(number D[FIELDS][3], number dD[FIELDS][3], number e[3][3], number de[3][3])
+static dual root(dual a)
 {
-    number c[3], dc[3], other[3];
-    cross(D[Y], D[Z], c);
-    cross(dD[Y], D[Z], dc);
-    cross(D[Y], dD[Z], other);
-    for (int i = 0; i < 3; i++)
-        dc[i] += other[i];
-    unit(c, dc, e[0], de[0]);
-    unit(D[Z], dD[Z], e[2], de[2]);
-    cross(e[2], e[0], e[1]);
-    cross(de[2], e[0], de[1]);
-    cross(e[2], de[0], other);
-    for (int i = 0; i < 3; i++)
-        de[1][i] += other[i];
+    const number r = csqrtl(a.v);
+    return (dual){r, a.d / (2 * r)};
 }
 
-/* d(a.b) */
-static number product_change(const number *a, const number *da, const number *b, const number *db)
+static dual dot(const dual *a, const dual *b)
 {
-    return dot(a, db) + dot(da, b);
+    return plus(plus(times(a[0], b[0]), 1, times(a[1], b[1])), 1, times(a[2], b[2]));
 }
 
-/* Strains s of D and their changes ds with dD. */
-static void strains(number D[FIELDS][3], number dD[FIELDS][3], number *s, number *ds)
+/* c += a x b */
+static void add_cross(const dual *a, const dual *b, dual *c)
 {
-    number e[3][3], de[3][3];
-    frame(D, dD, e, de);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        c[i] = plus(c[i], 1, plus(times(a[j], b[k]), -1, times(a[k], b[j])));
+    }
+}
+
+/* n = v/|v| and n' = (v' - n (n.v'))/|v| */
+static void unit(const dual *v, const dual *v_x, dual *n, dual *n_x)
+{
+    const dual length = root(dot(v, v));
+    for (int i = 0; i < 3; i++)
+        n[i] = over(v[i], length);
+    const dual along = dot(n, v_x);
+    for (int i = 0; i < 3; i++)
+        n_x[i] = over(plus(v_x[i], -1, times(n[i], along)), length);
+}
+
+/* The frame of a section and its derivative along the beam. */
+static void frame(dual D[FIELDS][3], dual e[3][3], dual e_x[3][3])
+{
+    dual c[3] = {{0}}, c_x[3] = {{0}};
+    memset(e[1], 0, sizeof e[1]);
+    memset(e_x[1], 0, sizeof e_x[1]);
+    add_cross(D[Y], D[Z], c);
+    add_cross(D[SLOPE_Y], D[Z], c_x);
+    add_cross(D[Y], D[SLOPE_Z], c_x);
+    unit(c, c_x, e[0], e_x[0]);
+    unit(D[Z], D[SLOPE_Z], e[2], e_x[2]);
+    add_cross(e[2], e[0], e[1]);
+    add_cross(e_x[2], e[0], e_x[1]);
+    add_cross(e[2], e_x[0], e_x[1]);
+}
+
+static void strains(dual D[FIELDS][3], dual *s)
+{
+    static const dual half = {0.5L, 0};
+    dual e[3][3], e_x[3][3], twice[3] = {{0}};
+    frame(D, e, e_x);
+    for (int i = 0; i < 3; i++)
+        add_cross(e[i], e_x[i], twice); /* twice the vector of twist and curvature */
     for (int i = 0; i < 3; i++) {
         s[i] = dot(e[i], D[SLOPE]);
-        ds[i] = product_change(e[i], de[i], D[SLOPE], dD[SLOPE]);
+        s[3 + i] = times(half, dot(e[i], twice));
     }
-    s[3] = (dot(e[2], D[SLOPE_Y]) - dot(e[1], D[SLOPE_Z])) / 2;
-    ds[3] = (product_change(e[2], de[2], D[SLOPE_Y], dD[SLOPE_Y]) -
-             product_change(e[1], de[1], D[SLOPE_Z], dD[SLOPE_Z])) /
-            2;
-    s[4] = dot(e[0], D[SLOPE_Z]);
-    ds[4] = product_change(e[0], de[0], D[SLOPE_Z], dD[SLOPE_Z]);
-    s[5] = -dot(e[0], D[SLOPE_Y]);
-    ds[5] = -product_change(e[0], de[0], D[SLOPE_Y], dD[SLOPE_Y]);
-    s[6] = dot(D[Y], D[Y]) / 2;
-    s[7] = dot(D[Z], D[Z]) / 2;
+    s[6] = times(half, dot(D[Y], D[Y]));
+    s[7] = times(half, dot(D[Z], D[Z]));
     s[8] = dot(D[Y], D[Z]);
-    ds[6] = dot(D[Y], dD[Y]);
-    ds[7] = dot(D[Z], dD[Z]);
-    ds[8] = product_change(D[Y], dD[Y], D[Z], dD[Z]);
 }
 
 /* The resultants of a rectangle's stresses: axial force and bending moments about the axis, which
@@ -98,64 +113,59 @@ static void stresses(const struct pw_beam *beam, const number *s, number *t)
     t[8] = G * A * s[8];
 }
 
-static void add_vector(const struct pw_vector *vector, int i, number value, const real *N,
-                       const real *Nx, int v, number D[FIELDS][3])
+/* The fields at a point; component `column` of the nodal vectors is what d differentiates by. */
+static void fields(const struct pw_beam *beam, const number *q, const real *N, const real *Nx,
+                   int column, dual D[FIELDS][3])
 {
     static const int slope[] = {SLOPE, SLOPE_Y, SLOPE_Z}, plain[] = {-1, Y, Z};
-    D[slope[vector->mode]][i] += Nx[v] * value;
-    if (plain[vector->mode] >= 0)
-        D[plain[vector->mode]][i] += N[v] * value;
+    memset(D, 0, FIELDS * sizeof D[0]);
+    for (int i = 0; i < 3 * beam->element.vectors; i++) {
+        const int v = i / 3, mode = beam->element.vector[v].mode;
+        const dual x = {q[i], i == column};
+        D[slope[mode]][i % 3] = plus(D[slope[mode]][i % 3], Nx[v], x);
+        if (plain[mode] >= 0)
+            D[plain[mode]][i % 3] = plus(D[plain[mode]][i % 3], N[v], x);
+    }
 }
 
-static void fields(const struct pw_beam *beam, const number *q, const real *N, const real *Nx,
-                   number D[FIELDS][3])
-{
-    for (int i = 0; i < 3 * FIELDS; i++)
-        D[i / 3][i % 3] = 0;
-    for (int v = 0; v < beam->element.vectors; v++)
-        for (int i = 0; i < 3; i++)
-            add_vector(&beam->element.vector[v], i, q[3 * v + i], N, Nx, v, D);
-}
-
-/* Strains since the reference: beam->reference, per length of its arc, which is returned; or
- * straight. */
-static real rest(const struct pw_beam *beam, const real *N, const real *Nx, number *s)
+/* Strains of the reference, and its length of arc by x: beam->reference, or straight. */
+static real rest(const struct pw_beam *beam, const real *N, const real *Nx, dual *s)
 {
     static const real straight[STRAINS] = {1, 0, 0, 0, 0, 0, 0.5L, 0.5L, 0};
-    number q0[PW_DOFS], D[FIELDS][3], still[FIELDS][3] = {{0}}, none[STRAINS];
+    number q0[PW_DOFS];
+    dual D[FIELDS][3];
     for (int k = 0; k < STRAINS; k++)
-        s[k] = straight[k];
+        s[k] = (dual){straight[k], 0};
     if (!beam->reference)
         return 1;
     for (int i = 0; i < 3 * beam->element.vectors; i++)
         q0[i] = beam->reference[i];
-    fields(beam, q0, N, Nx, D);
-    strains(D, still, s, none);
-    return sqrtl(creall(dot(D[SLOPE], D[SLOPE])));
+    fields(beam, q0, N, Nx, -1, D);
+    strains(D, s);
+    return sqrtl(creall(dot(D[SLOPE], D[SLOPE]).v));
 }
 
-/* Adds a point's energy, and its part of the force unless f is NULL; strains first..last-1. */
+/* A point's energy, and its part of the force unless f is NULL; strains first..last-1. */
 static number point(const struct pw_beam *beam, const number *q, real xi, real weight, int first,
                     int last, number *f)
 {
     real N[PW_VECTORS], Nx[PW_VECTORS];
-    number D[FIELDS][3], dD[FIELDS][3] = {{0}}, s[STRAINS], s0[STRAINS], ds[STRAINS], t[STRAINS];
-    number energy = 0;
+    dual D[FIELDS][3], s[STRAINS], s0[STRAINS];
+    number change[STRAINS], t[STRAINS], energy = 0;
     pw_shape(beam, xi, N, Nx);
     const real arc = rest(beam, N, Nx, s0), scale = first < RODS ? weight / arc : weight * arc;
-    fields(beam, q, N, Nx, D);
-    strains(D, dD, s, ds);
+    fields(beam, q, N, Nx, -1, D);
+    strains(D, s);
     for (int k = 0; k < STRAINS; k++)
-        s[k] -= s0[k];
-    stresses(beam, s, t);
+        change[k] = s[k].v - s0[k].v;
+    stresses(beam, change, t);
     for (int k = first; k < last; k++)
-        energy += scale * t[k] * s[k] / 2;
+        energy += scale * t[k] * change[k] / 2;
     for (int i = 0; f && i < 3 * beam->element.vectors; i++) {
-        add_vector(&beam->element.vector[i / 3], i % 3, 1, N, Nx, i / 3, dD);
-        strains(D, dD, s, ds);
+        fields(beam, q, N, Nx, i, D);
+        strains(D, s);
         for (int k = first; k < last; k++)
-            f[i] += scale * t[k] * ds[k];
-        add_vector(&beam->element.vector[i / 3], i % 3, -1, N, Nx, i / 3, dD);
+            f[i] += scale * t[k] * s[k].d;
     }
     return energy;
 }

@@ -136,12 +136,31 @@ static enum hobe_status one_element(struct hobe_error *err)
     return status;
 }
 
-static long elements_fail(void)
+/* A tapered structural element, which asks for the section's properties at each of its points. */
+static enum hobe_status tapered_element(struct hobe_error *err)
+{
+    struct hobe_element_options options = {.kernel = hobe_find_kernel("3333s", err),
+                                           .material = {.E = 1, .nu = 0.3, .k2 = 1, .k3 = 1},
+                                           .length = 5};
+    hobe_section *from = hobe_section_circle(1, err);
+    hobe_section *to = from ? hobe_section_circle(2, err) : NULL;
+    hobe_section *section = to ? hobe_section_linear(from, to, err) : NULL;
+    options.section = section;
+    hobe_element *element = section ? hobe_element_new(&options, err) : NULL;
+    const enum hobe_status status = element ? HOBE_OK : err->status;
+    hobe_element_free(element);
+    hobe_section_free(section);
+    hobe_section_free(to);
+    hobe_section_free(from);
+    return status;
+}
+
+static long elements_fail(enum hobe_status (*make)(struct hobe_error *err))
 {
     for (long n = 1;; n++) {
         struct hobe_error err = {0};
         hobe_fail_allocation(n);
-        const enum hobe_status status = one_element(&err);
+        const enum hobe_status status = make(&err);
         if (hobe_fail_allocation(0) < n) {
             check_that(status == HOBE_OK, "nothing failed: %s", err.message);
             return n - 1;
@@ -160,8 +179,8 @@ int main(void)
     while (!fail_at(n, &run.tip) && n < 10000)
         n++;
     check_that(n > 30 && n < 10000, "allocations were counted: %ld", n);
-    printf("%ld allocations of a scene, %ld of an element, failed in turn\n", n - 1,
-           elements_fail());
+    printf("%ld allocations of a scene, %ld of an element, %ld of a tapered one, failed in turn\n",
+           n - 1, elements_fail(one_element), elements_fail(tapered_element));
     close_run(&run);
     return check_report();
 }
