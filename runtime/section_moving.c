@@ -152,24 +152,30 @@ struct here {
     double *functions, *rates, *velocities; /* [HOBE_SECTION_FUNCTIONS][nodes] */
 };
 
-static void free_here(struct here *h)
+static void close_here(void *here)
 {
+    struct here *h = here;
     hobe_mesh_free(&h->mesh);
     hobe_free(h->functions);
+    hobe_free(h);
 }
 
-static enum hobe_status read_values(const struct moving *m, const double *values, struct here *h,
-                                    struct hobe_error *err)
+static void *open_here(const void *field, const double *values, struct hobe_error *err)
 {
+    const struct moving *m = field;
     const size_t n = (size_t)m->like->mesh.nodes, all = HOBE_SECTION_FUNCTIONS * n;
     const double unit[HOBE_SECTION_FUNCTIONS] = {pow(m->size, 2), pow(m->size, 3), pow(m->size, 3)};
-    *h = (struct here){.functions = hobe_alloc(3 * all, sizeof *h->functions, err)};
-    if (!h->functions)
-        return HOBE_NO_MEMORY;
+    struct here *h = hobe_alloc(1, sizeof *h, err);
+    if (!h)
+        return NULL;
+    h->functions = hobe_alloc(3 * all, sizeof *h->functions, err);
+    if (!h->functions || hobe_mesh_copy(&m->like->mesh, &h->mesh, err)) {
+        close_here(h);
+        return NULL;
+    }
     h->rates = h->functions + all;
     h->velocities = h->rates + all;
-    const enum hobe_status status = hobe_mesh_copy(&m->like->mesh, &h->mesh, err);
-    for (size_t i = 0; !status && i < n; i++) {
+    for (size_t i = 0; i < n; i++) {
         for (size_t a = 0; a < PLACES; a++) {
             h->mesh.node[i][a] = m->size * values[a * n + i];
             h->velocities[a * n + i] = m->size * values[VALUES * n + a * n + i];
@@ -179,7 +185,7 @@ static enum hobe_status read_values(const struct moving *m, const double *values
             h->rates[f * n + i] = unit[f] * values[VALUES * n + (PLACES + f) * n + i];
         }
     }
-    return status;
+    return h;
 }
 
 /* df/dx at fixed y, z = the rate at the moving point less its velocity . grad f. */
@@ -189,58 +195,46 @@ static void set_rates(double (*f)[4], double (*rate)[4], double (*velocity)[4])
         f[i][3] = rate[i][0] - velocity[0][0] * f[i][1] - velocity[1][0] * f[i][2];
 }
 
-static enum hobe_status moving_rule(const void *field, const double *values, struct hobe_rule *rule,
+static enum hobe_status moving_rule(const void *here, struct hobe_rule *rule,
                                     struct hobe_error *err)
 {
-    struct here h;
+    const struct here *h = here;
     struct hobe_rule rates = {0}, velocities = {0};
-    enum hobe_status status = read_values(field, values, &h, err);
+    enum hobe_status status = hobe_mesh_rule(&h->mesh, h->functions, rule, err);
     if (!status)
-        status = hobe_mesh_rule(&h.mesh, h.functions, rule, err);
+        status = hobe_mesh_rule(&h->mesh, h->rates, &rates, err);
     if (!status)
-        status = hobe_mesh_rule(&h.mesh, h.rates, &rates, err);
-    if (!status)
-        status = hobe_mesh_rule(&h.mesh, h.velocities, &velocities, err);
+        status = hobe_mesh_rule(&h->mesh, h->velocities, &velocities, err);
     for (int p = 0; !status && p < rule->rule.points; p++)
         set_rates(rule->point[p].f, rates.point[p].f, velocities.point[p].f);
     hobe_rule_free(&rates);
     hobe_rule_free(&velocities);
-    free_here(&h);
     return status;
 }
 
-static enum hobe_status moving_functions(const void *field, const double *values, double y,
-                                         double z, double (*f)[4], struct hobe_error *err)
+static void moving_functions(const void *here, double y, double z, double (*f)[4])
 {
-    struct here h;
+    const struct here *h = here;
     double rate[HOBE_SECTION_FUNCTIONS][4], velocity[HOBE_SECTION_FUNCTIONS][4];
-    const enum hobe_status status = read_values(field, values, &h, err);
-    if (!status) {
-        hobe_mesh_fields(&h.mesh, h.functions, y, z, f);
-        hobe_mesh_fields(&h.mesh, h.rates, y, z, rate);
-        hobe_mesh_fields(&h.mesh, h.velocities, y, z, velocity);
-        set_rates(f, rate, velocity);
-    }
-    free_here(&h);
-    return status;
+    hobe_mesh_fields(&h->mesh, h->functions, y, z, f);
+    hobe_mesh_fields(&h->mesh, h->rates, y, z, rate);
+    hobe_mesh_fields(&h->mesh, h->velocities, y, z, velocity);
+    set_rates(f, rate, velocity);
 }
 
-static enum hobe_status moving_surface(const void *field, const double *values,
-                                       struct hobe_surface *surface, struct hobe_error *err)
+static enum hobe_status moving_surface(const void *here, struct hobe_surface *surface,
+                                       struct hobe_error *err)
 {
-    struct here h;
-    enum hobe_status status = read_values(field, values, &h, err);
-    if (!status)
-        status = hobe_surface_mesh(&h.mesh, surface, err);
-    free_here(&h);
-    return status;
+    return hobe_surface_mesh(&((const struct here *)here)->mesh, surface, err);
 }
 
 const struct hobe_section_field hobe_shape_field = {
     .open = open_moving,
     .solve = solve_moving,
+    .open_at = open_here,
     .rule = moving_rule,
     .functions = moving_functions,
     .surface = moving_surface,
+    .close_at = close_here,
     .close = close_moving,
 };

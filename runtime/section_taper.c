@@ -4,6 +4,7 @@
 #include "chebyshev.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -21,6 +22,14 @@ struct taper {
     struct hobe_chebyshev numbers;
     void *field; /* of a kind whose functions are solved, with its values along the beam */
     struct hobe_chebyshev values;
+    struct memory *memory; /* of the field at the place last asked for */
+};
+
+/* Results are asked for point by point of one place after the other. */
+struct memory {
+    pthread_mutex_t lock;
+    double at;
+    void *here;
 };
 
 static const struct taper *as_taper(const hobe_section *section)
@@ -143,16 +152,42 @@ static const struct hobe_section_place *or_start(const struct hobe_section_place
     return place ? place : &start;
 }
 
+/* The field at a place, with the memory locked; NULL, unlocked, on failure. */
+static const void *lock_field(const struct taper *t, double at, struct hobe_error *err)
+{
+    struct memory *m = t->memory;
+    pthread_mutex_lock(&m->lock);
+    if (m->here && m->at == at)
+        return m->here;
+    double *values = series_at(&t->values, at, err);
+    void *here = values ? field_of(t)->open_at(t->field, values, err) : NULL;
+    hobe_free(values);
+    if (here) {
+        if (m->here)
+            field_of(t)->close_at(m->here);
+        m->here = here;
+        m->at = at;
+    } else
+        pthread_mutex_unlock(&m->lock);
+    return here;
+}
+
+static void unlock_field(const struct taper *t)
+{
+    pthread_mutex_unlock(&t->memory->lock);
+}
+
 static enum hobe_status solved_rule(const struct taper *t, const struct hobe_section_place *place,
                                     struct hobe_rule *rule, struct hobe_error *err)
 {
-    double *values = series_at(&t->values, place->at, err);
-    const enum hobe_status status =
-        values ? field_of(t)->rule(t->field, values, rule, err) : HOBE_NO_MEMORY;
+    const void *here = lock_field(t, place->at, err);
+    if (!here)
+        return HOBE_NO_MEMORY;
+    const enum hobe_status status = field_of(t)->rule(here, rule, err);
+    unlock_field(t);
     for (int p = 0; !status && p < rule->rule.points; p++)
         for (int i = 0; i < HOBE_SECTION_FUNCTIONS; i++)
             rule->point[p].f[i][3] /= place->length;
-    hobe_free(values);
     return status;
 }
 
@@ -183,13 +218,14 @@ static enum hobe_status solved_functions(const struct taper *t,
                                          const struct hobe_section_place *place, double y, double z,
                                          double (*f)[4], struct hobe_error *err)
 {
-    double *values = series_at(&t->values, place->at, err);
-    const enum hobe_status status =
-        values ? field_of(t)->functions(t->field, values, y, z, f, err) : HOBE_NO_MEMORY;
+    const void *here = lock_field(t, place->at, err);
+    if (!here)
+        return HOBE_NO_MEMORY;
+    field_of(t)->functions(here, y, z, f);
+    unlock_field(t);
     for (int i = 0; i < HOBE_SECTION_FUNCTIONS; i++)
         f[i][3] /= place->length;
-    hobe_free(values);
-    return status;
+    return HOBE_OK;
 }
 
 static enum hobe_status functions_at(const hobe_section *section, int paper,
@@ -239,10 +275,11 @@ static enum hobe_status surface_at(const hobe_section *section, double at, int f
     const struct taper *t = as_taper(section);
     const struct hobe_section_field *field = field_of(t);
     if (field) {
-        double *values = series_at(&t->values, at, err);
-        const enum hobe_status status =
-            values ? field->surface(t->field, values, surface, err) : HOBE_NO_MEMORY;
-        hobe_free(values);
+        const void *solved = lock_field(t, at, err);
+        if (!solved)
+            return HOBE_NO_MEMORY;
+        const enum hobe_status status = field->surface(solved, surface, err);
+        unlock_field(t);
         return status;
     }
     hobe_section *here = section_at(section, at, 1, err);
@@ -257,6 +294,12 @@ static enum hobe_status surface_at(const hobe_section *section, double at, int f
 static void close_taper(hobe_section *section)
 {
     struct taper *t = (struct taper *)section;
+    if (t->memory) {
+        if (t->memory->here)
+            field_of(t)->close_at(t->memory->here);
+        pthread_mutex_destroy(&t->memory->lock);
+        hobe_free(t->memory);
+    }
     if (t->field)
         field_of(t)->close(t->field);
     hobe_section_free(t->like);
@@ -341,8 +384,10 @@ static enum hobe_status set_field(struct taper *t, struct hobe_error *err)
     if (!field_of(t))
         return HOBE_OK;
     t->field = field_of(t)->open(t->like, &values, err);
-    if (!t->field)
+    t->memory = t->field ? hobe_alloc(1, sizeof *t->memory, err) : NULL;
+    if (!t->memory)
         return err ? err->status : HOBE_NO_MEMORY;
+    pthread_mutex_init(&t->memory->lock, NULL);
     return hobe_chebyshev_fit(&t->values, values, solve_at, t, FIELD_TOLERANCE, "the section", err);
 }
 

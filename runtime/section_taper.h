@@ -28,15 +28,15 @@ struct hobe_section_field {
     /* The values at given numbers, dimensionless and of like magnitude. */
     enum hobe_status (*solve)(const void *field, const double *numbers, double *values,
                               struct hobe_error *err);
-    /* Rule and functions from values[2][values], the values and their derivatives by the fraction
-     * of the length, as are f[..][3] here. */
-    enum hobe_status (*rule)(const void *field, const double *values, struct hobe_rule *rule,
-                             struct hobe_error *err);
-    enum hobe_status (*functions)(const void *field, const double *values, double y, double z,
-                                  double (*f)[4], struct hobe_error *err);
-    /* Its surface there, numbered alike all along. */
-    enum hobe_status (*surface)(const void *field, const double *values,
-                                struct hobe_surface *surface, struct hobe_error *err);
+    /* The field at a place, from values[2][values]: the values there and their derivatives by the
+     * fraction of the length.  By it are f[..][3] of what follows. */
+    void *(*open_at)(const void *field, const double *values, struct hobe_error *err);
+    enum hobe_status (*rule)(const void *here, struct hobe_rule *rule, struct hobe_error *err);
+    void (*functions)(const void *here, double y, double z, double (*f)[4]);
+    /* The surface, numbered alike all along the beam. */
+    enum hobe_status (*surface)(const void *here, struct hobe_surface *surface,
+                                struct hobe_error *err);
+    void (*close_at)(void *here);
     void (*close)(void *field);
 };
 
