@@ -181,6 +181,45 @@ static void strips(void)
     becomes_rod("3433w", 256, turns, F, M, 1e-6, "strip, three turns");
 }
 
+/* ---- mass ------------------------------------------------------------------------------------ */
+
+/* Relative to Pappus' A R angle: the centroid is on the axis. */
+static double mass_error(const char *element, int elements, const struct shape *shape)
+{
+    struct shape s = *shape;
+    hobe_curve *curve = curve_of(shape_point, shape_twist, &s);
+    hobe_section *section = rectangle(s.width, s.height);
+    struct hobe_beam beam = beam_along_x(element, elements, section, E, 0, 1);
+    beam.curve = curve;
+    beam.material.rho = 2700;
+    hobe_model *model = cantilever(&beam, 0);
+    hobe_modes *modes = modes_of(model, NULL, 1, HOBE_MODAL_AUTO);
+    const double mass = modes_info(modes).mass;
+    hobe_modes_free(modes);
+    hobe_model_free(model);
+    hobe_section_free(section);
+    hobe_curve_free(curve);
+    return mass / (beam.material.rho * s.width * s.height * length_of(&s)) - 1;
+}
+
+/* Axis and slopes of an element are polynomials, whose volume is that of the arc, or of the twisted
+ * strip, to the fourth order of the turn in an element. */
+static void masses(void)
+{
+    static const char *const names[] = {"MGD30w", "3333", "3433"};
+    const struct shape shapes[2] = {{.R = 1, .angle = 1.5, .twist = 1, .width = 0.1, .height = 0.3},
+                                    {.R = 1, .twist = 2, .width = 0.1, .height = 0.3}};
+    for (int i = 0; i < 6; i++) {
+        const struct shape *shape = shapes + i % 2;
+        const double coarse = mass_error(names[i / 2], 4, shape);
+        const double fine = mass_error(names[i / 2], 8, shape);
+        printf("mass of %s, %s: off by %.1e, %.1e\n", i % 2 ? "a strip" : "an arc", names[i / 2],
+               coarse, fine);
+        check_absolute(fine, 0, 1e-5, "%s: mass", names[i / 2]);
+        check_absolute(log2(coarse / fine), 4, 0.1, "%s: order of the mass", names[i / 2]);
+    }
+}
+
 /* ---- joins ----------------------------------------------------------------------------------- */
 
 static void shifted_place(const void *context, double t, struct rod_place *place)
@@ -253,6 +292,7 @@ int main(void)
     rods();
     rings();
     strips();
+    masses();
     joins(0, 0, 2e-6);
     joins(0.6, 1, 2e-6);
     return check_report();
