@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sections of every kind while the n-th of the library's own allocations fails, n = 1, 2, ... */
+/* Sections of every kind, and an element of a composite one, while the n-th of the library's own
+ * allocations fails, n = 1, 2, ... */
 #include "check.h"
 #include "hobe.h"
 
@@ -45,24 +46,58 @@ static hobe_section *make(int kind, struct hobe_error *err)
     }
 }
 
+static void check_failure(int made, long n, long seen, const struct hobe_error *err,
+                          const char *what)
+{
+    if (seen >= n)
+        check_that(!made && err->status == HOBE_NO_MEMORY &&
+                       strncmp(err->message, "out of memory", 13) == 0,
+                   "%s, allocation %ld of %ld: %s", what, n, seen, err->message);
+    else
+        check_that(made, "nothing failed: %s", err->message);
+}
+
+static void sections(int kind)
+{
+    char what[20];
+    long n = 0, seen;
+    snprintf(what, sizeof what, "kind %d", kind);
+    do {
+        struct hobe_error err = {0};
+        hobe_fail_allocation(++n);
+        hobe_section *section = make(kind, &err);
+        seen = hobe_fail_allocation(0);
+        check_failure(section != NULL, n, seen, &err, what);
+        hobe_section_free(section);
+    } while (seen >= n && n < 100);
+    printf("%s: %ld allocations\n", what, n - 1);
+}
+
+/* An element whose section has materials and mean strains of its own. */
+static void composite_element(void)
+{
+    struct hobe_error err = {0};
+    hobe_section *section = composite(&err);
+    if (!section)
+        check_stop("%s", err.message);
+    const struct hobe_element_options options = {
+        .kernel = hobe_find_kernel("MGD30w3", &err), .section = section, .length = 4};
+    long n = 0, seen;
+    do {
+        err = (struct hobe_error){0};
+        hobe_fail_allocation(++n);
+        hobe_element *element = hobe_element_new(&options, &err);
+        seen = hobe_fail_allocation(0);
+        check_failure(element != NULL, n, seen, &err, "composite element");
+        hobe_element_free(element);
+    } while (seen >= n && n < 100);
+    hobe_section_free(section);
+}
+
 int main(void)
 {
-    for (int kind = 0; kind < KINDS; kind++) {
-        long n = 0, seen;
-        do {
-            struct hobe_error err = {0};
-            hobe_fail_allocation(++n);
-            hobe_section *section = make(kind, &err);
-            seen = hobe_fail_allocation(0);
-            if (seen >= n)
-                check_that(!section && err.status == HOBE_NO_MEMORY &&
-                               strncmp(err.message, "out of memory", 13) == 0,
-                           "kind %d, allocation %ld of %ld: %s", kind, n, seen, err.message);
-            else
-                check_that(section != NULL, "nothing failed: %s", err.message);
-            hobe_section_free(section);
-        } while (seen >= n && n < 100);
-        printf("kind %d: %ld allocations\n", kind, n - 1);
-    }
+    for (int kind = 0; kind < KINDS; kind++)
+        sections(kind);
+    composite_element();
     return check_report();
 }
