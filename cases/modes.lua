@@ -11,6 +11,8 @@
 -- modes.png shows the first modes of a fine mesh.  Expected are three of them from a converged
 -- model of quadratic bricks with a clamped face.  Its section is free to bend in its own plane,
 -- which a beam's is not: in torsion it is 1.5 % softer.
+--
+-- Long: not run under the sanitizers, where the pictures take a minute.
 local hobe = require "hobe"
 
 local n = hobe.param("n", 20)
