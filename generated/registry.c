@@ -17,6 +17,7 @@ extern const struct hobe_kernel hobe_kernel_BE24w;
 extern const struct hobe_kernel hobe_kernel_BE24w_II;
 extern const struct hobe_kernel hobe_kernel_BE42;
 extern const struct hobe_kernel hobe_kernel_MGD30;
+extern const struct hobe_kernel hobe_kernel_MGD30d;
 extern const struct hobe_kernel hobe_kernel_MGD30w;
 extern const struct hobe_kernel hobe_kernel_MGD30w_II;
 extern const struct hobe_kernel hobe_kernel_MGD30w3;
@@ -36,6 +37,7 @@ static const struct hobe_kernel *const portable[] = {
     &hobe_kernel_BE24w_II,
     &hobe_kernel_BE42,
     &hobe_kernel_MGD30,
+    &hobe_kernel_MGD30d,
     &hobe_kernel_MGD30w,
     &hobe_kernel_MGD30w_II,
     &hobe_kernel_MGD30w3,
@@ -57,6 +59,7 @@ extern const struct hobe_kernel hobe_kernel_BE24w_avx2;
 extern const struct hobe_kernel hobe_kernel_BE24w_II_avx2;
 extern const struct hobe_kernel hobe_kernel_BE42_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30_avx2;
+extern const struct hobe_kernel hobe_kernel_MGD30d_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30w_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30w_II_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30w3_avx2;
@@ -76,6 +79,7 @@ static const struct hobe_kernel *const avx2[] = {
     &hobe_kernel_BE24w_II_avx2,
     &hobe_kernel_BE42_avx2,
     &hobe_kernel_MGD30_avx2,
+    &hobe_kernel_MGD30d_avx2,
     &hobe_kernel_MGD30w_avx2,
     &hobe_kernel_MGD30w_II_avx2,
     &hobe_kernel_MGD30w3_avx2,

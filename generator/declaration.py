@@ -11,7 +11,7 @@ A declaration is a TOML file (see elements/README.md):
     mechanics             default elastic law: "average" (default), "axis" or "full"; the form
                           "structural" has a law of its own
     [[field]]             modes that share axial functions
-        modes             "1", monomials like "y", "yz", "yyy", or section functions like "w"
+        modes             "1", monomials like "y", "yz", "yyy", or section functions like "w", "v1y"
         dofs              { node = ["value", "slope"], ... }, nodes counted from 1; or
         like              a mode declared before, whose dofs (and functions) are taken
         functions         optional polynomials in xi, one per dof, in place of the derived ones
@@ -32,7 +32,7 @@ KINDS = ("value", "slope")
 KEYS = ("name", "source", "nodes", "extends", "form", "mechanics", "field")
 FIELD_KEYS = ("modes", "dofs", "like", "functions")
 MONOMIAL = re.compile(r"(?=.)y*z*")
-FUNCTION = re.compile(r"w[a-z0-9]*")
+FUNCTION = re.compile(r"[vw][a-z0-9]*")
 MAX_FUNCTIONS, MAX_MODES, MAX_VECTORS = 8, 24, 256  # HOBE_MAX_... of kernel.h
 MAX_DEGREE = 12  # of a monomial
 
@@ -263,7 +263,8 @@ def _check_modes(path, declaration):
     for mode in modes:
         if mode != "1" and not MONOMIAL.fullmatch(mode) and not FUNCTION.fullmatch(mode):
             _refuse(path, "modes", mode,
-                    'must be "1", a monomial like "yyz" (y before z) or a section function "w..."')
+                    'must be "1", a monomial like "yyz" (y before z) or a section function "w..." or '
+                    '"v..."')
         if MONOMIAL.fullmatch(mode) and len(mode) > MAX_DEGREE:
             _refuse(path, "modes", mode, f"monomials go to degree {MAX_DEGREE}")
         if modes.count(mode) > 1:

@@ -2,137 +2,19 @@
 #include "saint_venant.h"
 
 #include "linsolve.h"
+#include "mesh_triangle.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { NODES = 6, POINTS = 6 };
-
-/* ---- quadratic triangles -------------------------------------------------------------------- */
-
-/* Shape functions of a triangle with straight sides at barycentric L, and their gradients. */
-static void shape(const struct hobe_mesh *mesh, int triangle, const double L[3], double N[NODES],
-                  double dN[NODES][2])
-{
-    const int *n = mesh->triangle[triangle];
-    const double *p[3] = {mesh->node[n[0]], mesh->node[n[1]], mesh->node[n[2]]};
-    const double twice =
-        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
-    double dL[3][2];
-    for (int i = 0; i < 3; i++) {
-        const double *b = p[(i + 1) % 3], *c = p[(i + 2) % 3];
-        dL[i][0] = (b[1] - c[1]) / twice;
-        dL[i][1] = (c[0] - b[0]) / twice;
-    }
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3;
-        N[i] = L[i] * (2 * L[i] - 1);
-        N[3 + i] = 4 * L[i] * L[j];
-        for (int a = 0; a < 2; a++) {
-            dN[i][a] = (4 * L[i] - 1) * dL[i][a];
-            dN[3 + i][a] = 4 * (L[i] * dL[j][a] + L[j] * dL[i][a]);
-        }
-    }
-}
-
-static double area(const struct hobe_mesh *mesh, int triangle)
-{
-    const int *n = mesh->triangle[triangle];
-    const double *a = mesh->node[n[0]], *b = mesh->node[n[1]], *c = mesh->node[n[2]];
-    return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
-}
-
-static void place(const struct hobe_mesh *mesh, int triangle, const double L[3], double p[2])
-{
-    const int *n = mesh->triangle[triangle];
-    for (int a = 0; a < 2; a++)
-        p[a] = L[0] * mesh->node[n[0]][a] + L[1] * mesh->node[n[1]][a] + L[2] * mesh->node[n[2]][a];
-}
-
-/* The k-th of six points, exact for degree 4 (Dunavant 1985); weights sum to 1. */
-static double cubature(int k, double L[3])
-{
-    static const double b[2] = {0.44594849091596488632, 0.09157621350977074346};
-    static const double weight[2] = {0.22338158967801146570, 0.10995174365532186764};
-    const int orbit = k / 3;
-    for (int i = 0; i < 3; i++)
-        L[i] = i == k % 3 ? 1 - 2 * b[orbit] : b[orbit];
-    return weight[orbit];
-}
-
 /* ---- the equations -------------------------------------------------------------------------- */
-
-/* A symmetric matrix in compressed columns. */
-struct matrix {
-    long *start, *row;
-    double *value;
-};
-
-static void matrix_free(struct matrix *m)
-{
-    hobe_free(m->start);
-    hobe_free(m->row);
-    hobe_free(m->value);
-}
-
-/* Room for six entries in a column for each triangle at its node; rows are -1 where free. */
-static enum hobe_status matrix_new(const struct hobe_mesh *mesh, struct matrix *m,
-                                   struct hobe_error *err)
-{
-    const size_t n = (size_t)mesh->nodes, entries = 36 * (size_t)mesh->triangles;
-    *m = (struct matrix){hobe_alloc(n + 1, sizeof *m->start, err),
-                         hobe_alloc(entries, sizeof *m->row, err),
-                         hobe_alloc(entries, sizeof *m->value, err)};
-    if (!m->start || !m->row || !m->value)
-        return HOBE_NO_MEMORY;
-    for (int t = 0; t < mesh->triangles; t++)
-        for (int i = 0; i < NODES; i++)
-            m->start[mesh->triangle[t][i] + 1] += NODES;
-    for (size_t i = 0; i < n; i++)
-        m->start[i + 1] += m->start[i];
-    for (size_t i = 0; i < entries; i++)
-        m->row[i] = -1;
-    return HOBE_OK;
-}
-
-static void matrix_add(struct matrix *m, long row, long column, double value)
-{
-    long p = m->start[column];
-    while (m->row[p] != row && m->row[p] >= 0)
-        p++;
-    m->row[p] = row;
-    m->value[p] += value;
-}
-
-/* Sorts the rows of each column and closes the gaps. */
-static void matrix_compress(struct matrix *m, int n)
-{
-    long to = 0, from = 0;
-    for (int c = 0; c < n; c++) {
-        const long first = to, end = m->start[c + 1];
-        for (; from < end && m->row[from] >= 0; from++) {
-            const long row = m->row[from];
-            const double value = m->value[from];
-            long p = to++;
-            for (; p > first && m->row[p - 1] > row; p--) {
-                m->row[p] = m->row[p - 1];
-                m->value[p] = m->value[p - 1];
-            }
-            m->row[p] = row;
-            m->value[p] = value;
-        }
-        from = end;
-        m->start[c] = first;
-    }
-    m->start[n] = to;
-}
 
 /* K_ij = int G grad N_i . grad N_j dA and the right sides b[HOBE_SECTION_FUNCTIONS][nodes]:
  * int G (y N_i,z - z N_i,y) dA, which is the boundary condition's integral along the outline of
  * each region since (-z, y) has no divergence; int E y N_i dA; int E z N_i dA.  Node 0 is held at
  * 0. */
-static void assemble(const hobe_section *section, const struct hobe_mesh *mesh, struct matrix *K,
-                     double *b)
+static void assemble(const hobe_section *section, const struct hobe_mesh *mesh,
+                     struct hobe_mesh_matrix *K, double *b)
 {
     const int nodes = mesh->nodes;
     for (int t = 0; t < mesh->triangles; t++) {
@@ -154,36 +36,20 @@ static void assemble(const hobe_section *section, const struct hobe_mesh *mesh, 
         for (int i = 0; i < NODES; i++)
             for (int j = 0; j < NODES; j++)
                 if (i == j || (n[i] && n[j]))
-                    matrix_add(K, n[i], n[j], k[i][j]);
+                    hobe_mesh_matrix_add(K, n[i], n[j], k[i][j]);
     }
-}
-
-/* 1/sqrt of the diagonal: scale[n]. */
-static void set_scale(const struct matrix *K, int n, double *scale)
-{
-    for (int c = 0; c < n; c++)
-        for (long p = K->start[c]; p < K->start[c + 1]; p++)
-            if (K->row[p] == c)
-                scale[c] = 1 / sqrt(K->value[p]);
 }
 
 /* K x = b for each function; x[HOBE_SECTION_FUNCTIONS][n] holds b before. */
-static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_error *err)
+static enum hobe_status solve(const struct hobe_mesh_matrix *K, double *x, struct hobe_error *err)
 {
-    long column;
-    double *scale = hobe_alloc((size_t)n, sizeof *scale, err);
-    hobe_linsolve *solver = scale ? hobe_linsolve_analyse(n, K->start, K->row, err) : NULL;
-    enum hobe_status status = solver ? HOBE_OK : HOBE_NO_MEMORY;
-    if (!status) {
-        set_scale(K, n, scale);
-        status = hobe_linsolve_factor(solver, K->value, scale, &column, err);
-    }
+    hobe_linsolve *solver = hobe_mesh_matrix_factor(K, err);
+    enum hobe_status status = solver ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
     for (int f = 0; !status && f < HOBE_SECTION_FUNCTIONS; f++) {
-        x[f * n] = 0;
-        status = hobe_linsolve_solve(solver, x + f * n, err);
+        x[f * K->n] = 0;
+        status = hobe_linsolve_solve(solver, x + f * K->n, err);
     }
     hobe_linsolve_free(solver);
-    hobe_free(scale);
     return status;
 }
 
@@ -192,8 +58,7 @@ static enum hobe_status solve(int n, struct matrix *K, double *x, struct hobe_er
 struct hobe_extension {
     const struct hobe_mesh *mesh;
     unsigned char *held;
-    struct matrix K; /* with rows and columns of held nodes those of the unit matrix */
-    double *scale;
+    struct hobe_mesh_matrix K; /* with rows and columns of held nodes those of the unit matrix */
     hobe_linsolve *solver;
 };
 
@@ -221,34 +86,29 @@ static void assemble_extension(struct hobe_extension *x)
         for (int i = 0; i < NODES; i++)
             for (int j = 0; j < NODES; j++)
                 if (i == j || (!x->held[n[i]] && !x->held[n[j]]))
-                    matrix_add(&x->K, n[i], n[j], k[i][j]);
+                    hobe_mesh_matrix_add(&x->K, n[i], n[j], k[i][j]);
     }
-    matrix_compress(&x->K, x->mesh->nodes);
+    hobe_mesh_matrix_close(&x->K);
 }
 
 struct hobe_extension *hobe_extension_new(const struct hobe_mesh *mesh, const unsigned char *held,
                                           struct hobe_error *err)
 {
     const size_t n = (size_t)mesh->nodes;
-    long column;
     struct hobe_extension *x = hobe_alloc(1, sizeof *x, err);
     if (!x)
         return NULL;
     x->mesh = mesh;
     x->held = hobe_alloc(n, sizeof *x->held, err);
-    x->scale = hobe_alloc(n, sizeof *x->scale, err);
-    enum hobe_status status = matrix_new(mesh, &x->K, err);
-    if (!status && x->held && x->scale) {
+    if (x->held && !hobe_mesh_matrix_new(mesh, 1, &x->K, err)) {
         memcpy(x->held, held, n);
         assemble_extension(x);
-        set_scale(&x->K, mesh->nodes, x->scale);
-        x->solver = hobe_linsolve_analyse(mesh->nodes, x->K.start, x->K.row, err);
+        x->solver = hobe_mesh_matrix_factor(&x->K, err);
     }
-    if (!x->solver || hobe_linsolve_factor(x->solver, x->K.value, x->scale, &column, err)) {
-        hobe_extension_free(x);
-        return NULL;
-    }
-    return x;
+    if (x->solver)
+        return x;
+    hobe_extension_free(x);
+    return NULL;
 }
 
 enum hobe_status hobe_extension_apply(const struct hobe_extension *x, double *values,
@@ -285,9 +145,8 @@ void hobe_extension_free(struct hobe_extension *x)
     if (!x)
         return;
     hobe_linsolve_free(x->solver);
-    matrix_free(&x->K);
+    hobe_mesh_matrix_free(&x->K);
     hobe_free(x->held);
-    hobe_free(x->scale);
     hobe_free(x);
 }
 
@@ -483,20 +342,20 @@ enum hobe_status hobe_saint_venant(const hobe_section *section, const struct hob
                                    struct hobe_error *err)
 {
     const size_t n = (size_t)mesh->nodes, all = HOBE_SECTION_FUNCTIONS * n;
-    struct matrix K;
+    struct hobe_mesh_matrix K;
     double *b = hobe_alloc(all, sizeof *b, err);
-    enum hobe_status status = matrix_new(mesh, &K, err);
+    enum hobe_status status = hobe_mesh_matrix_new(mesh, 1, &K, err);
     if (!status && b) {
         assemble(section, mesh, &K, b);
-        matrix_compress(&K, mesh->nodes);
+        hobe_mesh_matrix_close(&K);
         memcpy(values, b, all * sizeof *b);
-        status = solve(mesh->nodes, &K, values, err);
+        status = solve(&K, values, err);
     } else
         status = HOBE_NO_MEMORY;
     *energy = 0;
     for (size_t i = 0; !status && i < n; i++)
         *energy += values[HOBE_W * n + i] * b[HOBE_W * n + i];
-    matrix_free(&K);
+    hobe_mesh_matrix_free(&K);
     hobe_free(b);
     return status ? status : make_orthogonal(section, mesh, values, centre, err);
 }

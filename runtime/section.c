@@ -44,30 +44,55 @@ void hobe_rule_free(struct hobe_rule *rule)
     *rule = (struct hobe_rule){0};
 }
 
-/* The slot of a function; HOBE_SECTION_FUNCTIONS when there is none of that name. */
+/* The slot of a function; HOBE_ALL_FUNCTIONS when there is none of that name. */
 static int find_function(const char *name)
 {
-    static const char *const names[] = {[HOBE_W] = "w", [HOBE_WY] = "wy", [HOBE_WZ] = "wz"};
+    static const char *const names[] = {
+        [HOBE_W] = "w",     [HOBE_WY] = "wy",   [HOBE_WZ] = "wz",   [HOBE_WW] = "ww",
+        [HOBE_V1Y] = "v1y", [HOBE_V1Z] = "v1z", [HOBE_V2Y] = "v2y", [HOBE_V2Z] = "v2z"};
     int i = 0;
-    while (i < HOBE_SECTION_FUNCTIONS && strcmp(name, names[i]) != 0)
+    while (i < HOBE_ALL_FUNCTIONS && strcmp(name, names[i]) != 0)
         i++;
     return i;
 }
 
-static enum hobe_status check_functions(const struct hobe_kernel *kernel, struct hobe_error *err)
+/* Has the section make a function, if it is not there from the start.  Rectangles and rings are too
+ * stout to distort: theirs are zero. */
+static enum hobe_status prepare(const hobe_section *section, const char *name,
+                                struct hobe_error *err)
 {
-    for (int i = 0; i < kernel->functions; i++)
-        if (find_function(kernel->function[i]) == HOBE_SECTION_FUNCTIONS)
-            return hobe_fail(err, HOBE_UNKNOWN, NULL,
-                             "element %s uses the section function %s, sections have w, wy and wz",
-                             kernel->name, kernel->function[i]);
-    return HOBE_OK;
+    const int slot = find_function(name);
+    if (slot == HOBE_ALL_FUNCTIONS)
+        return hobe_fail(err, HOBE_UNKNOWN, NULL,
+                         "a section has no function %s; it has w, wy and wz, and of a solved "
+                         "outline ww, v1y, v1z, v2y and v2z",
+                         name);
+    if (slot < HOBE_SECTION_FUNCTIONS)
+        return HOBE_OK;
+    return section->kind->distort ? section->kind->distort(section, err) : HOBE_OK;
+}
+
+static enum hobe_status check_functions(const hobe_section *section,
+                                        const struct hobe_kernel *kernel, struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; !status && i < kernel->functions; i++)
+        status = prepare(section, kernel->function[i], err);
+    return status;
 }
 
 int hobe_section_bends(const struct hobe_kernel *kernel)
 {
     for (int i = 0; i < kernel->functions; i++)
         if (find_function(kernel->function[i]) != HOBE_W)
+            return 1;
+    return 0;
+}
+
+int hobe_section_distorts(const struct hobe_kernel *kernel)
+{
+    for (int i = 0; i < kernel->functions; i++)
+        if (find_function(kernel->function[i]) >= HOBE_SECTION_FUNCTIONS)
             return 1;
     return 0;
 }
@@ -92,7 +117,7 @@ enum hobe_status hobe_section_rule(const hobe_section *section, const struct hob
                                    struct hobe_error *err)
 {
     *rule = (struct hobe_rule){0};
-    enum hobe_status status = check_functions(kernel, err);
+    enum hobe_status status = check_functions(section, kernel, err);
     if (status)
         return status;
     status = section->kind->rule_at
@@ -122,7 +147,7 @@ enum hobe_status hobe_axis_rule(const hobe_section *section, const struct hobe_k
 {
     const int paper = integration == HOBE_INTEGRATION_PAPER;
     *rule = (struct hobe_rule){0};
-    enum hobe_status status = check_functions(kernel, err);
+    enum hobe_status status = check_functions(section, kernel, err);
     if (!status)
         status = hobe_rule_new(rule, 1, err);
     if (status)
@@ -147,7 +172,7 @@ enum hobe_status hobe_section_functions_at(const hobe_section *section,
                                            double z, double (*f)[4], struct hobe_error *err)
 {
     double all[HOBE_MAX_FUNCTIONS][4] = {{0}};
-    enum hobe_status status = check_functions(kernel, err);
+    enum hobe_status status = check_functions(section, kernel, err);
     if (!status && kernel->functions)
         status = functions_at(section, 0, place, y, z, all, err);
     for (int i = 0; !status && i < kernel->functions; i++)
@@ -292,14 +317,12 @@ enum hobe_status hobe_section_function_at(const hobe_section *section, const cha
                                           const struct hobe_section_place *place, double y,
                                           double z, double *f, struct hobe_error *err)
 {
-    const int function = find_function(name);
-    double all[HOBE_SECTION_FUNCTIONS][4] = {{0}};
-    if (function == HOBE_SECTION_FUNCTIONS)
-        return hobe_fail(err, HOBE_UNKNOWN, NULL,
-                         "a section has no function %s; it has w, wy and wz", name);
-    const enum hobe_status status = functions_at(section, 0, place, y, z, all, err);
+    double all[HOBE_MAX_FUNCTIONS][4] = {{0}};
+    enum hobe_status status = prepare(section, name, err);
     if (!status)
-        memcpy(f, all[function], 3 * sizeof *f);
+        status = functions_at(section, 0, place, y, z, all, err);
+    if (!status)
+        memcpy(f, all[find_function(name)], 3 * sizeof *f);
     return status;
 }
 

@@ -8,8 +8,19 @@
 struct hobe_outline; /* section_mesh.h */
 
 /* The functions of a section, in the order in which its kind keeps them: w of torsion, wy and wz of
- * bending shear along y and z. */
-enum { HOBE_W, HOBE_WY, HOBE_WZ, HOBE_SECTION_FUNCTIONS };
+ * bending shear along y and z; and, of solved outlines, those of distortion.h. */
+enum {
+    HOBE_W,
+    HOBE_WY,
+    HOBE_WZ,
+    HOBE_SECTION_FUNCTIONS,
+    HOBE_WW = HOBE_SECTION_FUNCTIONS,
+    HOBE_V1Y,
+    HOBE_V1Z,
+    HOBE_V2Y,
+    HOBE_V2Z,
+    HOBE_ALL_FUNCTIONS
+};
 
 /* A cubature rule that owns its points. */
 struct hobe_rule {
@@ -87,11 +98,11 @@ enum { HOBE_PROBES = 16 };
 
 struct hobe_section_kind {
     /* The rule of hobe_section_rule, with the section's functions at HOBE_W, HOBE_WY, HOBE_WZ of
-     * each point whatever the kernel calls for. */
+     * each point whatever the kernel calls for, and the others where it calls for them. */
     enum hobe_status (*rule)(const hobe_section *section, const struct hobe_kernel *kernel,
                              enum hobe_integration integration, struct hobe_rule *rule,
                              struct hobe_error *err);
-    /* The functions and their gradients at (y, z), f[HOBE_SECTION_FUNCTIONS][4]; `paper`: those
+    /* The functions and their gradients at (y, z), f[HOBE_MAX_FUNCTIONS][4]; `paper`: those
      * that go with the paper's integration.  What the section has not is left alone. */
     void (*functions)(const hobe_section *section, int paper, double y, double z, double (*f)[4]);
     /* The outline about the section's own origin; circles become polygons of their area. */
@@ -100,6 +111,9 @@ struct hobe_section_kind {
     enum hobe_status (*surface)(const hobe_section *section, int fineness,
                                 struct hobe_surface *surface,
                                 struct hobe_error *err); /* hobe_section_surface */
+    /* Makes the functions from HOBE_WW on, which cost more than most beams are worth, and keeps
+     * them; NULL: they are zero. */
+    enum hobe_status (*distort)(const hobe_section *section, struct hobe_error *err);
     void (*close)(hobe_section *section); /* frees what the kind added; may be NULL */
     const struct hobe_section_sizes
         *sizes; /* of a kind that can taper (section_taper.h), or NULL */
@@ -145,8 +159,9 @@ void hobe_section_set_warping(hobe_section *section, const struct hobe_rule *rul
  * matter. */
 void hobe_section_set_shear(hobe_section *section, const struct hobe_rule *rule);
 
-/* Whether the kernel has functions of bending shear. */
+/* Whether the kernel has functions of bending shear; of distortion. */
 int hobe_section_bends(const struct hobe_kernel *kernel);
+int hobe_section_distorts(const struct hobe_kernel *kernel);
 
 /* HOBE_BAD_INPUT: this section has no version in the paper. */
 enum hobe_status hobe_section_no_paper(const char *what, struct hobe_error *err);

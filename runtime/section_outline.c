@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "section_outline.h"
 
+#include "distortion.h"
 #include "material.h"
 #include "outline.h"
 #include "saint_venant.h"
@@ -9,6 +10,7 @@
 #include "section_surface.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -94,6 +96,38 @@ static enum hobe_status parts_rule(const struct hobe_parts *parts, int n, struct
     return status;
 }
 
+/* The section that holds the fields: s itself, or the one whose solution it shares. */
+static struct shape *owner(const struct shape *s)
+{
+    return (struct shape *)(s->shared ? s->shared : &s->base);
+}
+
+/* Adds the functions of distortion to the points of the mesh's rule. */
+static enum hobe_status add_distortion(const struct shape *s, struct hobe_rule *rule,
+                                       struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    for (int part = HOBE_SECTION_FUNCTIONS; !status && part < HOBE_ALL_FUNCTIONS;
+         part += HOBE_SECTION_FUNCTIONS) {
+        struct hobe_rule more;
+        const int fields = part - HOBE_SECTION_FUNCTIONS;
+        status =
+            hobe_mesh_rule(&s->mesh, owner(s)->distortion + fields * s->mesh.nodes, &more, err);
+        for (int p = 0; !status && p < rule->rule.points; p++)
+            for (int i = 0; i < HOBE_SECTION_FUNCTIONS && part + i < HOBE_ALL_FUNCTIONS; i++)
+                memcpy(rule->point[p].f[part + i], more.point[p].f[i], sizeof more.point[p].f[i]);
+        hobe_rule_free(&more);
+    }
+    return status;
+}
+
+static enum hobe_status mesh_rule(const struct shape *s, int distorts, struct hobe_rule *rule,
+                                  struct hobe_error *err)
+{
+    const enum hobe_status status = hobe_rule_copy(&s->functions_rule, rule, err);
+    return !status && distorts ? add_distortion(s, rule, err) : status;
+}
+
 static enum hobe_status rule(const hobe_section *section, const struct hobe_kernel *kernel,
                              enum hobe_integration integration, struct hobe_rule *rule,
                              struct hobe_error *err)
@@ -113,7 +147,7 @@ static enum hobe_status rule(const hobe_section *section, const struct hobe_kern
     if (s->paper && !bends)
         return parts_rule(&s->parts, 2 * degree + 1, rule, err);
     if (kernel->functions)
-        return hobe_rule_copy(&s->functions_rule, rule, err);
+        return mesh_rule(s, hobe_section_distorts(kernel), rule, err);
     return fan_rule(s, 2 * degree + 1, rule, err);
 }
 
@@ -138,6 +172,14 @@ static void functions(const hobe_section *section, int paper, double y, double z
 {
     const struct shape *s = (const struct shape *)section;
     hobe_mesh_fields(&s->mesh, s->values, y, z, f);
+    const double *distortion = owner(s)->distortion;
+    if (distortion) {
+        double more[HOBE_DISTORTIONS][4];
+        for (int part = 0; part < HOBE_DISTORTIONS; part += HOBE_SECTION_FUNCTIONS)
+            hobe_mesh_fields(&s->mesh, distortion + part * s->mesh.nodes, y, z, more + part);
+        memcpy(f + HOBE_SECTION_FUNCTIONS, more,
+               (HOBE_ALL_FUNCTIONS - HOBE_SECTION_FUNCTIONS) * sizeof *more);
+    }
     if (paper || s->paper)
         parts_warping(&s->parts, y, z, f[HOBE_W]);
 }
@@ -148,6 +190,28 @@ static enum hobe_status surface(const hobe_section *section, int fineness,
 {
     (void)fineness;
     return hobe_surface_mesh(&((const struct shape *)section)->mesh, surface, err);
+}
+
+/* Sections are shared by threads: who asks first solves. */
+static enum hobe_status distort(const hobe_section *section, struct hobe_error *err)
+{
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    struct shape *s = owner((const struct shape *)section);
+    const double centre[2] = {section->properties.ys, section->properties.zs};
+    const size_t nodes = (size_t)s->mesh.nodes;
+    enum hobe_status status = HOBE_OK;
+    pthread_mutex_lock(&lock);
+    if (!s->distortion) {
+        double *values = hobe_alloc(HOBE_DISTORTIONS * nodes, sizeof *values, err);
+        status = values ? hobe_distortion(section, &s->mesh, s->values, centre, values, err)
+                        : HOBE_NO_MEMORY;
+        if (status)
+            hobe_free(values);
+        else
+            s->distortion = values;
+    }
+    pthread_mutex_unlock(&lock);
+    return status;
 }
 
 static void close_shape(hobe_section *section)
@@ -163,6 +227,7 @@ static void close_shape(hobe_section *section)
     hobe_free(s->base.material);
     hobe_mesh_free(&s->mesh);
     hobe_free(s->values);
+    hobe_free(s->distortion);
     hobe_rule_free(&s->functions_rule);
 }
 
@@ -180,6 +245,7 @@ static enum hobe_status copy_outline(const hobe_section *section, struct hobe_ou
 static const struct hobe_section_sizes shape_sizes;
 static const struct hobe_section_kind shape_kind = {.rule = rule,
                                                     .functions = functions,
+                                                    .distort = distort,
                                                     .surface = surface,
                                                     .outline = copy_outline,
                                                     .close = close_shape,

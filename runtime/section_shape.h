@@ -15,8 +15,9 @@ struct shape {
     double *values; /* of the functions, [HOBE_SECTION_FUNCTIONS][mesh.nodes] */
     struct hobe_rule functions_rule;
     struct hobe_parts parts;
-    int paper;                  /* w is the parts' */
-    const hobe_section *shared; /* all that is pointed to belongs to this section; or NULL */
+    int paper;                    /* w is the parts' */
+    _Atomic(double *) distortion; /* [HOBE_DISTORTIONS][mesh.nodes] once asked for, of who solved */
+    const hobe_section *shared;   /* all that is pointed to belongs to this section; or NULL */
 };
 
 /* A shape with like's outline at other points, about their centroid; not solved. */

@@ -291,6 +291,15 @@ static enum hobe_status surface_at(const hobe_section *section, double at, int f
     return status;
 }
 
+/* Those of closed forms are zero; solved ones do not follow an outline along the beam. */
+static enum hobe_status distort(const hobe_section *section, struct hobe_error *err)
+{
+    if (!field_of(as_taper(section)))
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_UNKNOWN, NULL,
+                     "an outline that varies along the beam has the functions w, wy and wz only");
+}
+
 static void close_taper(hobe_section *section)
 {
     struct taper *t = (struct taper *)section;
@@ -309,6 +318,7 @@ static void close_taper(hobe_section *section)
 
 static const struct hobe_section_kind taper_kind = {
     .close = close_taper,
+    .distort = distort,
     .rule_at = rule_at,
     .functions_at = functions_at,
     .surface_at = surface_at,

@@ -94,10 +94,29 @@ static void composite_element(void)
     hobe_section_free(section);
 }
 
+/* The functions of distortion, asked for of a section that is solved. */
+static void distortion(void)
+{
+    long n = 0, seen;
+    do {
+        struct hobe_error err = {0};
+        double f[3];
+        hobe_section *section = hobe_section_hollow(2, 1, .2, HOBE_WARPING_SOLVED, &err);
+        if (!section)
+            check_stop("%s", err.message);
+        hobe_fail_allocation(++n);
+        const enum hobe_status status = hobe_section_function(section, "v1y", .9, .4, f, &err);
+        seen = hobe_fail_allocation(0);
+        check_failure(status == HOBE_OK, n, seen, &err, "distortion");
+        hobe_section_free(section);
+    } while (seen >= n && n < 100);
+}
+
 int main(void)
 {
     for (int kind = 0; kind < KINDS; kind++)
         sections(kind);
     composite_element();
+    distortion();
     return check_report();
 }

@@ -137,6 +137,17 @@ static void check_refusal(const struct subject *s, const struct hobe_error *err)
     printf("%-34s refused: %.60s...\n", s->name, err->message);
 }
 
+/* The vectors of modes that a rectangle in closed form has: all but those of distortion. */
+static int kept_vectors(const struct hobe_kernel *kernel)
+{
+    int kept = 0;
+    for (int v = 0; v < kernel->vectors; v++) {
+        const char *mode = kernel->mode[kernel->vector[v].mode];
+        kept += mode[0] != 'v' && strcmp(mode, "ww") != 0;
+    }
+    return kept;
+}
+
 static void check_element(const struct subject *s, const hobe_element *element)
 {
     struct hobe_rest rest;
@@ -146,7 +157,7 @@ static void check_element(const struct subject *s, const hobe_element *element)
     hobe_element_rest(element, &rest);
     check_that(rest.zero == 6 && rest.negative == 0, "%s: %d zero, %d negative eigenvalues",
                s->name, rest.zero, rest.negative);
-    check_that(rest.zero + rest.positive == 3 * s->kernel->vectors, "%s: no mode is left out",
+    check_that(rest.zero + rest.positive == 3 * kept_vectors(s->kernel), "%s: no mode is left out",
                s->name);
     homogeneous_stiffness(element, C);
     for (int i = 0; i < HOMOGENEOUS; i++)
