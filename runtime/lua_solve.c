@@ -140,19 +140,32 @@ static const struct hobe_lua_key at_key = {.name = "at",
                                            .doc = "a fraction of the beam's length"};
 static const struct hobe_lua_key offset_key = {.name = "offset", .type = KEY_NUMBER};
 
-/* The point (beam, at, y, z) that the arguments of a method ask for; `name` is the method. */
-static struct hobe_point read_point(lua_State *L, const char *name)
+/* What the arguments (beam, at, y, z) of a method say. */
+struct spot {
+    const hobe_solution *solution;
+    const char *beam;
+    double at, y, z;
+};
+
+static struct spot read_spot(lua_State *L, const char *name)
 {
     struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct spot spot = {.solution = result->solution};
+    lua_settop(L, 5);
+    spot.beam = hobe_lua_text(L, 2, lua_pushfstring(L, "%s: the beam", name));
+    hobe_lua_read_value(L, 3, lua_pushfstring(L, "%s: at", name), &at_key, &spot.at);
+    hobe_lua_read_value(L, 4, lua_pushfstring(L, "%s: y", name), &offset_key, &spot.y);
+    hobe_lua_read_value(L, 5, lua_pushfstring(L, "%s: z", name), &offset_key, &spot.z);
+    return spot;
+}
+
+/* The point that the arguments of a method ask for; `name` is the method. */
+static struct hobe_point read_point(lua_State *L, const char *name)
+{
+    const struct spot s = read_spot(L, name);
     struct hobe_point point;
     struct hobe_error err;
-    double at, y, z;
-    lua_settop(L, 5);
-    const char *beam = hobe_lua_text(L, 2, lua_pushfstring(L, "%s: the beam", name));
-    hobe_lua_read_value(L, 3, lua_pushfstring(L, "%s: at", name), &at_key, &at);
-    hobe_lua_read_value(L, 4, lua_pushfstring(L, "%s: y", name), &offset_key, &y);
-    hobe_lua_read_value(L, 5, lua_pushfstring(L, "%s: z", name), &offset_key, &z);
-    if (hobe_solution_point(result->solution, beam, at, y, z, &point, &err))
+    if (hobe_solution_point(s.solution, s.beam, s.at, s.y, s.z, &point, &err))
         hobe_lua_raise(L, &err);
     return point;
 }
@@ -183,6 +196,32 @@ static int twist(lua_State *L)
     return 1;
 }
 
+/* r:stress(beam, at, y, z) */
+static int stress(lua_State *L)
+{
+    const struct spot s = read_spot(L, "stress");
+    struct hobe_stress stress;
+    struct hobe_error err;
+    if (hobe_solution_stress(s.solution, s.beam, s.at, s.y, s.z, &stress, &err))
+        hobe_lua_raise(L, &err);
+    const struct {
+        const char *name;
+        const double *value;
+        int count;
+    } parts[] = {{"S", stress.S, 6},           {"strain", stress.strain, 6},
+                 {"cauchy", stress.cauchy, 6}, {"section", stress.section, 6},
+                 {"mises", &stress.mises, 1},  {"energy", &stress.energy, 1}};
+    lua_newtable(L);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        if (parts[i].count > 1)
+            hobe_lua_push_numbers(L, parts[i].value, parts[i].count);
+        else
+            lua_pushnumber(L, *parts[i].value);
+        lua_setfield(L, -2, parts[i].name);
+    }
+    return 1;
+}
+
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"displacement", displacement, "r:displacement(beam, at [, y, z])",
      "`{u1, u2, u3}`, m, global axes, at the fraction `at` of the beam's length; of the axis, or "
@@ -198,6 +237,12 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      NULL, NULL},
     {"strain", strain, "r:strain(beam, at [, y, z])",
      "Green-Lagrange strain `{xx, yy, zz, 2yz, 2xz, 2xy}` in the section's axes.", NULL, NULL},
+    {"stress", stress, "r:stress(beam, at [, y, z])",
+     "A table of stresses `{xx, yy, zz, yz, xz, xy}`, Pa: `cauchy` in global axes, `section` the "
+     "same in the section's axes now, `S` (second Piola-Kirchhoff) in those before the load, with "
+     "its `strain`; and `mises`, Pa, and the strain `energy`, J/m^3.  By the element's law: not of "
+     "3333s, whose law is one of section forces.",
+     NULL, NULL},
     {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
     {0}};
 
