@@ -13,7 +13,6 @@ struct run {
     hobe_model *model;
     hobe_solution *solution;
     struct hobe_point tip;
-    struct hobe_stress stress;
     struct hobe_error err;
 };
 
@@ -79,9 +78,6 @@ static enum hobe_status go(struct run *run)
             hobe_static(run->model, &(struct hobe_newton){.steps = 1}, &run->solution, &run->err);
     if (!status)
         status = hobe_solution_point(run->solution, "outer", 1, 0.01, 0.02, &run->tip, &run->err);
-    if (!status)
-        status =
-            hobe_solution_stress(run->solution, "inner", 0.5, 0.01, 0.02, &run->stress, &run->err);
     return status;
 }
 
