@@ -435,7 +435,7 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
 void hobe_solution_free(hobe_solution *solution);
 void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info);
 
-/* ---- results (result.c, stress.c) ----------------------------------------------------------- */
+/* ---- results (result.c, stress.c, resultants.c) --------------------------------------------- */
 
 struct hobe_point {
     double r[3], r0[3]; /* position now and in the reference, m; displacement r - r0 is u */
@@ -472,6 +472,33 @@ struct hobe_stress {
 enum hobe_status hobe_solution_stress(const hobe_solution *solution, const char *beam, double at,
                                       double y, double z, struct hobe_stress *stress,
                                       struct hobe_error *err);
+
+/* What the part of a beam beyond a cut (at larger `at`) does to the part before it, about the
+ * centroid and on the section's axes now (as hobe_stress.section).
+ *
+ * HOBE_CUT_FORCES: from the nodal forces of the element before the cut, less the loads between its
+ * ends; of the first element at 0, from its other end.  They balance the loads beyond as exactly as
+ * Newton's iteration has converged, in any state: forces, weight, and moments of forces; not those
+ * of hobe_moment where its section has turned far, which does not keep its direction.  There are
+ * such only at the ends of elements; a load at the cut itself counts as beyond, but not at 0.
+ * HOBE_CUT_STRESS: the integral over the section of the traction P e_x, P = F S, and of its moment;
+ * anywhere, but only as good as the strain, which converges as elements get smaller. */
+enum hobe_cut {
+    HOBE_CUT_BEST,   /* HOBE_CUT_FORCES at ends of elements, else HOBE_CUT_STRESS */
+    HOBE_CUT_FORCES, /* HOBE_BAD_INPUT where `at` is no end of an element */
+    HOBE_CUT_STRESS  /* HOBE_BAD_INPUT for structural elements */
+};
+struct hobe_resultants {
+    enum hobe_cut cut;
+    double force[3];   /* normal force (tension > 0) and shear forces along y and z, N */
+    double moment[3];  /* torsional moment and bending moments about y and z, N m */
+    double bimoment;   /* int P_xx w dA, N m^2, or what moves the section mode w; 0 without one */
+    double axes[3][3]; /* e_x, e_y, e_z of the section now, rows: global force = sum force_b e_b */
+};
+enum hobe_status hobe_solution_resultants(const hobe_solution *solution, const char *beam,
+                                          double at, enum hobe_cut cut,
+                                          struct hobe_resultants *resultants,
+                                          struct hobe_error *err);
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);

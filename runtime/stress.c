@@ -196,6 +196,13 @@ enum hobe_status stress_at(struct stress_section *s, double y, double z, int reg
     return status;
 }
 
+void stress_at_point(struct stress_section *s, const struct hobe_section_point *point,
+                     struct hobe_stress *stress)
+{
+    s->around.kernel->section_modes(point->y, point->z, point->f, s->around.phi);
+    stress_here(s, point->region, stress);
+}
+
 enum hobe_status hobe_solution_stress(const hobe_solution *solution, const char *beam, double at,
                                       double y, double z, struct hobe_stress *stress,
                                       struct hobe_error *err)

@@ -26,4 +26,8 @@ enum hobe_status stress_section(const hobe_solution *solution, const char *beam,
 enum hobe_status stress_at(struct stress_section *section, double y, double z, int region,
                            struct hobe_stress *stress, struct hobe_error *err);
 
+/* The same at a point of the section's rule for the element, which has the functions with it. */
+void stress_at_point(struct stress_section *section, const struct hobe_section_point *point,
+                     struct hobe_stress *stress);
+
 #endif
