@@ -7,9 +7,8 @@
 
 /* The displacements of a batch, structure of arrays; spare lanes repeat the last element. */
 static void gather(const struct hobe_model *model, const struct beam *beam,
-                   const struct batch *batch, const double *u)
+                   const struct batch *batch, const double *u, hobe_lanes *to)
 {
-    hobe_lanes *to = model->work.u;
     for (int lane = 0; lane < HOBE_LANES; lane++) {
         const int e = batch->first + (lane < batch->count ? lane : batch->count - 1);
         for (int v = 0; v < beam->kernel->vectors; v++) {
@@ -59,7 +58,7 @@ void assemble(const struct hobe_model *model, const double *u, double *f, double
         for (int b = 0; b < beam->batches; b++) {
             const struct batch *batch = beam->batch + b;
             const struct hobe_invariants *inv = hobe_element_invariants(batch->law);
-            gather(model, beam, batch, u);
+            gather(model, beam, batch, u, work->u);
             if (Ax)
                 beam->kernel->tangent(inv, batch->q0, work->u, work->f, work->K, work->scratch);
             else
@@ -78,7 +77,7 @@ double assemble_energy(const struct hobe_model *model, const double *u)
         const struct beam *beam = model_beam(model, i);
         for (int b = 0; b < beam->batches; b++) {
             const struct batch *batch = beam->batch + b;
-            gather(model, beam, batch, u);
+            gather(model, beam, batch, u, model->work.u);
             beam->kernel->energy(hobe_element_invariants(batch->law), batch->q0, model->work.u,
                                  model->work.f);
             for (int lane = 0; lane < batch->count; lane++)
@@ -86,4 +85,23 @@ double assemble_energy(const struct hobe_model *model, const double *u)
         }
     }
     return energy;
+}
+
+enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
+                                  const double *u, double *f, struct hobe_error *err)
+{
+    const struct hobe_kernel *k = beam->kernel;
+    const size_t n = 3 * (size_t)k->vectors;
+    const struct batch *batch = beam->batch;
+    hobe_lanes *of = hobe_alloc(2 * n + k->scratch, sizeof *of, err);
+    if (!of)
+        return HOBE_NO_MEMORY;
+    while (e >= batch->first + batch->count)
+        batch++;
+    gather(model, beam, batch, u, of);
+    k->force(hobe_element_invariants(batch->law), batch->q0, of, of + n, of + 2 * n);
+    for (size_t i = 0; i < n; i++)
+        f[i] = of[n + i][e - batch->first];
+    hobe_free(of);
+    return HOBE_OK;
 }

@@ -9,6 +9,10 @@
  * stiffness of the unknowns in the model's pattern, unless Ax is NULL.  Both overwritten. */
 void assemble(const struct hobe_model *model, const double *u, double *f, double *Ax);
 
+/* f[V][3] = dU/dq of element e of a beam alone, N, in memory of its own. */
+enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
+                                  const double *u, double *f, struct hobe_error *err);
+
 /* Strain energy of all elements, J. */
 double assemble_energy(const struct hobe_model *model, const double *u);
 

@@ -2,10 +2,11 @@
 /* Skins of beams. */
 #include "surface.h"
 
-#include "section.h"
 #include "solution.h"
+#include "stress.h"
 #include "vector3.h"
 
+#include <stddef.h>
 #include <string.h>
 
 enum {
@@ -45,10 +46,19 @@ static double twist(const struct hobe_point *p)
     return p->twist;
 }
 
+#define STRESS(name, symbol, signs, member)                                                        \
+    {                                                                                              \
+        name, symbol, "Pa", signs, 0, NULL, offsetof(struct hobe_stress, member)                   \
+    }
+
 static const struct hobe_field fields[] = {
-    {"u", "|u|", "m", 0, 1, size_of_u},     {"ux", "u₁", "m", 1, 1, u_x},
-    {"uy", "u₂", "m", 1, 1, u_y},           {"uz", "u₃", "m", 1, 1, u_z},
-    {"twist", "twist", "rad", 1, 0, twist}, {"w", "w", "m²", 1, 1, NULL},
+    {"u", "|u|", "m", 0, 1, size_of_u, 0},     {"ux", "u₁", "m", 1, 1, u_x, 0},
+    {"uy", "u₂", "m", 1, 1, u_y, 0},           {"uz", "u₃", "m", 1, 1, u_z, 0},
+    {"twist", "twist", "rad", 1, 0, twist, 0}, {"w", "w", "m²", 1, 1, NULL, 0},
+    STRESS("mises", "σ Mises", 0, mises),      STRESS("sxx", "σxx", 1, section[0]),
+    STRESS("syy", "σyy", 1, section[1]),       STRESS("szz", "σzz", 1, section[2]),
+    STRESS("syz", "σyz", 1, section[3]),       STRESS("sxz", "σxz", 1, section[4]),
+    STRESS("sxy", "σxy", 1, section[5]),
 };
 enum { FIELDS = sizeof fields / sizeof *fields };
 
@@ -164,50 +174,73 @@ struct station {
     const struct beam *beam;
     double at;
     struct hobe_surface face;
+    struct stress_section stress; /* where the field is a stress */
 };
 
 /* Makes the section at another place of the beam, whose surface is numbered alike. */
 static enum hobe_status move_station(struct station *s, double at, struct hobe_error *err)
 {
     const hobe_section *section = s->beam->spec.section;
+    enum hobe_status status = HOBE_OK;
     s->at = at;
-    if (s->face.points && !hobe_section_varies(section))
-        return HOBE_OK;
+    if (s->motion->field->stress)
+        status = stress_section(s->motion->solution, s->beam->name, at, &s->stress, err);
+    if (status || (s->face.points && !hobe_section_varies(section)))
+        return status;
     hobe_surface_free(&s->face);
     s->face = (struct hobe_surface){0};
     return hobe_section_surface_at(section, at, FINENESS, &s->face, err);
 }
 
+/* The field at (y, z), where the beam has the point. */
+static enum hobe_status find_value(struct station *s, double y, double z,
+                                   const struct hobe_point *point, double *value,
+                                   struct hobe_error *err)
+{
+    const hobe_section *section = s->beam->spec.section;
+    const struct hobe_field *field = s->motion->field;
+    const struct hobe_section_place place = {s->at, s->beam->length};
+    struct hobe_stress stress;
+    double f[4];
+    enum hobe_status status = HOBE_OK;
+    if (field->value)
+        *value = field->value(point);
+    else if (field->stress) {
+        const int region = hobe_section_region(section, y, z);
+        status = stress_at(&s->stress, y, z, region, &stress, err);
+        memcpy(value, (const char *)&stress + field->stress, sizeof *value);
+    } else {
+        status = hobe_section_function_at(section, field->name, &place, y, z, f, err);
+        *value = f[0];
+    }
+    return status;
+}
+
 /* Adds point i of the section's surface. */
-static enum hobe_status add_point(const struct station *at, int i, struct hobe_surface *s,
+static enum hobe_status add_point(struct station *at, int i, struct hobe_surface *s,
                                   struct hobe_error *err)
 {
     const struct motion *motion = at->motion;
     const double y = at->face.point[i][1], z = at->face.point[i][2];
     const int p = s->points++;
     struct hobe_point point;
-    double f[4];
     enum hobe_status status;
     if (motion->solution)
         status = hobe_solution_point(motion->solution, at->beam->name, at->at, y, z, &point, err);
     else
         status = modes_displacement(motion->modes, motion->mode, at->beam->name, at->at, y, z,
                                     point.r0, point.u, err);
-    const struct hobe_section_place place = {at->at, at->beam->length};
-    if (!status && !motion->field->value)
-        status = hobe_section_function_at(at->beam->spec.section, motion->field->name, &place, y, z,
-                                          f, err);
+    if (!status)
+        status = find_value(at, y, z, &point, s->value + p, err);
     if (status)
         return status;
     memcpy(s->point[p], point.r0, sizeof point.r0);
     memcpy(s->displacement[p], point.u, sizeof point.u);
-    s->value[p] = motion->field->value ? motion->field->value(&point) : f[0];
     return HOBE_OK;
 }
 
 /* The section at an end of the beam, facing out. */
-static enum hobe_status add_end(const struct station *at, struct hobe_surface *s,
-                                struct hobe_error *err)
+static enum hobe_status add_end(struct station *at, struct hobe_surface *s, struct hobe_error *err)
 {
     const struct hobe_surface *face = &at->face;
     const int first = s->points, turned = at->at == 0;
@@ -302,6 +335,16 @@ static enum hobe_status sweep(const struct motion *motion, struct hobe_surface *
         status = add_beam(motion, model_beam(motion->model, i), surface, err);
     if (status)
         hobe_surface_free(surface);
+    return status;
+}
+
+enum hobe_status hobe_check_field(const hobe_solution *solution, const struct hobe_field *field,
+                                  struct hobe_error *err)
+{
+    struct stress_section section;
+    enum hobe_status status = HOBE_OK;
+    for (size_t i = 0; !status && field->stress && i < solution->model->beams.count; i++)
+        status = stress_section(solution, model_beam(solution->model, i)->name, 0, &section, err);
     return status;
 }
 

@@ -21,10 +21,18 @@ static const double DEPENDENT = 1e-10;
  * below 1e-14, the softest deformation of an element 20 heights long above 1e-9. */
 static const double ZERO_EIGENVALUE = 1e-12;
 
+/* The laws of the section's regions, or of the beam's material where it has none of its own. */
+struct laws {
+    struct hobe_elasticity region[HOBE_MAX_REGIONS];
+    double density[HOBE_MAX_REGIONS];
+    struct hobe_law law;
+};
+
 struct hobe_element {
     const struct hobe_kernel *kernel;
     const hobe_section *section;
     enum hobe_mechanics mechanics;
+    struct laws laws;
     struct hobe_invariants invariants;
     double *numbers; /* all arrays of the invariants, and q0, in one block */
     double *q0; /* [V][3] where curved, pretwisted or tapered, NULL where straight, prismatic */
@@ -255,13 +263,6 @@ static void set_reference(hobe_element *element, const double *q0)
         hobe_element_reference(element, identity, element->q0);
 }
 
-/* The laws of the section's regions, or of the beam's material where it has none of its own. */
-struct laws {
-    struct hobe_elasticity region[HOBE_MAX_REGIONS];
-    double density[HOBE_MAX_REGIONS];
-    struct hobe_law law;
-};
-
 static const struct hobe_material *material_of(const struct hobe_element_options *options,
                                                int region)
 {
@@ -316,14 +317,13 @@ static enum hobe_status integrate(hobe_element *element, const struct hobe_eleme
     struct hobe_invariants *inv = &element->invariants;
     struct rules rules[MOST_STATIONS] = {0};
     struct hobe_station station[MOST_STATIONS];
-    struct laws laws;
     const int sections = hobe_section_varies(options->section) ? inv->stations : 1;
     enum hobe_status status = HOBE_OK;
     for (int g = 0; !status && g < sections; g++)
         status = set_station(element, options, gauss[g][0], rules + g, station + g, err);
     if (!status) {
-        set_laws(&laws, options, element->mechanics, &station->rule);
-        element->kernel->invariants(inv, gauss, sections, station, &laws.law, element->q0);
+        set_laws(&element->laws, options, element->mechanics, &station->rule);
+        element->kernel->invariants(inv, gauss, sections, station, &element->laws.law, element->q0);
     }
     for (int g = 0; g < sections; g++)
         free_rules(rules + g);
@@ -578,6 +578,11 @@ const double *hobe_element_q0(const hobe_element *element)
 const struct hobe_invariants *hobe_element_invariants(const hobe_element *element)
 {
     return &element->invariants;
+}
+
+const struct hobe_law *hobe_element_law(const hobe_element *element)
+{
+    return &element->laws.law;
 }
 
 enum hobe_mechanics hobe_element_mechanics(const hobe_element *element)

@@ -435,7 +435,7 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
 void hobe_solution_free(hobe_solution *solution);
 void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info);
 
-/* ---- results (result.c) --------------------------------------------------------------------- */
+/* ---- results (result.c, stress.c, resultants.c) --------------------------------------------- */
 
 struct hobe_point {
     double r[3], r0[3]; /* position now and in the reference, m; displacement r - r0 is u */
@@ -450,6 +450,55 @@ struct hobe_point {
 enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *beam, double at,
                                      double y, double z, struct hobe_point *point,
                                      struct hobe_error *err);
+
+/* Stress by the law that the element has.  `average` and `axis` add the stress of the mean strain:
+ * evenly, or in composite sections in proportion to E (normal) and G (shear); that of `axis`, which
+ * acts on the axis, is shown spread evenly, too.  Shear factors k2, k3 scale the stresses xz, xy
+ * they correct. */
+struct hobe_stress {
+    double strain[6];  /* Green-Lagrange, as in hobe_point */
+    double S[6];       /* second Piola-Kirchhoff, Pa, Voigt xx, yy, zz, yz, xz, xy, on the section's
+                          axes in the reference; conjugate to strain */
+    double cauchy[6];  /* F S F'/det F, Pa, xx, yy, zz, yz, xz, xy, global axes */
+    double section[6]; /* the same on the section's axes now: x normal to it, y and z as near to r_y
+                          and r_z as can be on the axis */
+    double mises;      /* von Mises, of cauchy, Pa */
+    double energy;     /* strain energy per volume of the reference, J/m^3 */
+};
+
+/* Stress at the place (at, y, z) of a beam, as in hobe_solution_point; on a seam of a composite
+ * section that of either side.  HOBE_BAD_INPUT where the element's form is structural: its law
+ * knows section forces, no stress. */
+enum hobe_status hobe_solution_stress(const hobe_solution *solution, const char *beam, double at,
+                                      double y, double z, struct hobe_stress *stress,
+                                      struct hobe_error *err);
+
+/* What the part of a beam beyond a cut (at larger `at`) does to the part before it, about the
+ * centroid and on the section's axes now (as hobe_stress.section).
+ *
+ * HOBE_CUT_FORCES: from the nodal forces of the element before the cut, less the loads between its
+ * ends; of the first element at 0, from its other end.  They balance the loads beyond as exactly as
+ * Newton's iteration has converged, in any state: forces, weight, and moments of forces; not those
+ * of hobe_moment where its section has turned far, which does not keep its direction.  There are
+ * such only at the ends of elements; a load at the cut itself counts as beyond, but not at 0.
+ * HOBE_CUT_STRESS: the integral over the section of the traction P e_x, P = F S, and of its moment;
+ * anywhere, but only as good as the strain, which converges as elements get smaller. */
+enum hobe_cut {
+    HOBE_CUT_BEST,   /* HOBE_CUT_FORCES at ends of elements, else HOBE_CUT_STRESS */
+    HOBE_CUT_FORCES, /* HOBE_BAD_INPUT where `at` is no end of an element */
+    HOBE_CUT_STRESS  /* HOBE_BAD_INPUT for structural elements */
+};
+struct hobe_resultants {
+    enum hobe_cut cut;
+    double force[3];   /* normal force (tension > 0) and shear forces along y and z, N */
+    double moment[3];  /* torsional moment and bending moments about y and z, N m */
+    double bimoment;   /* int P_xx w dA, N m^2, or what moves the section mode w; 0 without one */
+    double axes[3][3]; /* e_x, e_y, e_z of the section now, rows: global force = sum force_b e_b */
+};
+enum hobe_status hobe_solution_resultants(const hobe_solution *solution, const char *beam,
+                                          double at, enum hobe_cut cut,
+                                          struct hobe_resultants *resultants,
+                                          struct hobe_error *err);
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);

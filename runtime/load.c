@@ -192,21 +192,21 @@ static void subtract_follower(const struct hobe_model *model, const struct hobe_
 
 /* ---- all loads ------------------------------------------------------------------------------- */
 
-/* Weight of a beam: M a, with a = g on every position of the centreline. */
-static void add_gravity(struct hobe_model *model, const struct beam *beam)
+/* f += factor times the weight of an element: M a, with a = g on every position of the centreline.
+ */
+static void add_weight(const struct hobe_model *model, const struct beam *beam, int e,
+                       double factor, double *f)
 {
     const struct hobe_kernel *k = beam->kernel;
-    for (int e = 0; e < beam->spec.elements; e++) {
-        const double *mass = hobe_element_invariants(beam_law(beam, e))->mass;
-        for (int v = 0; v < k->vectors; v++) {
-            double m = 0;
-            for (int w = 0; w < k->vectors; w++)
-                if (k->vector[w].mode == 0 && !k->vector[w].slope)
-                    m += mass[v * k->vectors + w];
-            double *f = model->dead + 3 * model_vector(model, beam, e, v);
-            for (int a = 0; a < 3; a++)
-                f[a] += m * model->gravity[a];
-        }
+    const double *mass = hobe_element_invariants(beam_law(beam, e))->mass;
+    for (int v = 0; v < k->vectors; v++) {
+        double m = 0;
+        for (int w = 0; w < k->vectors; w++)
+            if (k->vector[w].mode == 0 && !k->vector[w].slope)
+                m += mass[v * k->vectors + w];
+        double *to = f + 3 * model_vector(model, beam, e, v);
+        for (int a = 0; a < 3; a++)
+            to[a] += factor * m * model->gravity[a];
     }
 }
 
@@ -221,7 +221,8 @@ static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_erro
                              "gravity needs a density: material.rho of beam \"%s\" is %g, must be "
                              "> 0 (kg/m^3)",
                              beam->name, beam->spec.material.rho);
-        add_gravity(model, beam);
+        for (int e = 0; e < beam->spec.elements; e++)
+            add_weight(model, beam, e, 1, model->dead);
     }
     return HOBE_OK;
 }
@@ -258,4 +259,35 @@ void load_subtract(const struct hobe_model *model, const double *u, double facto
     for (size_t i = 0; i < model->moments.count; i++)
         subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, factor, r,
                         Ax);
+}
+
+/* Whether a load acts inside an element, between its ends. */
+static int is_inside(const struct hobe_model *model, const char *name, double at,
+                     const struct beam *beam, int e)
+{
+    const struct place place = model_place(beam, at);
+    return model_find_beam(model, name, NULL, NULL) == beam && place.element == e && place.xi > 0 &&
+           place.xi < 1;
+}
+
+void load_inside(const struct hobe_model *model, const double *u, double factor,
+                 const struct beam *beam, int e, double *f)
+{
+    add_weight(model, beam, e, factor, f);
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        struct station s;
+        if (!is_inside(model, force->beam, force->at, beam, e))
+            continue;
+        find_station(model, force->beam, force->at, u, &s);
+        if (force->follower)
+            subtract_follower(model, force, u, -factor, f, NULL);
+        else
+            add_force(model, &s, 0, force->value, factor, f);
+    }
+    for (size_t i = 0; i < model->moments.count; i++) {
+        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
+        if (is_inside(model, moment->beam, moment->at, beam, e))
+            subtract_moment(model, moment, u, -factor, f, NULL);
+    }
 }

@@ -13,6 +13,11 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err);
 void load_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
                    double *Ax);
 
+/* f[vectors][3] += factor * the forces of the loads on element e of a beam that do not act at its
+ * ends: its weight, and what acts between them. */
+void load_inside(const struct hobe_model *model, const double *u, double factor,
+                 const struct beam *beam, int e, double *f);
+
 /* Adds the 3 x 3 matrix block to the tangent's values at (v, w) of element e, where unknown. */
 void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
                  const double block[3][3], double *Ax);

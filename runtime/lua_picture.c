@@ -72,8 +72,9 @@ static const struct hobe_lua_key picture_keys[] = {
     KEY_AS("field", struct options, function, KEY_CHOICE, .choices = "w|wy|wz", .word = "w",
            .doc = "of sections: the function they are coloured by"),
     KEY(struct options, colour, KEY_TEXT, .word = "u",
-        .doc = "of beams: what they are coloured by: `u` (its size), `ux`, `uy`, `uz`; `twist` "
-               "(not of modes); `w`, the section's function"),
+        .doc = "of beams: what they are coloured by: `u` (its size), `ux`, `uy`, `uz`; `w`, the "
+               "section's function; and, not of modes, `twist` or a stress, Pa: `mises`, or `sxx`, "
+               "`syy`, `szz`, `syz`, `sxz`, `sxy` in the section's axes now"),
     KEY(struct options, relief, KEY_FLAG,
         .doc = "sections seen obliquely, with the function as a displacement along x"),
     KEY(struct options, scale, KEY_NUMBER, .fallback = 1,
@@ -139,12 +140,15 @@ static const struct hobe_field *find_field(lua_State *L, const struct options *o
 }
 
 /* Whether a script is right must not depend on --out: what can be wrong is found before. */
-static void check_item(lua_State *L, const char *function, const struct item *item)
+static void check_item(lua_State *L, const char *function, const struct hobe_field *field,
+                       const struct item *item)
 {
     struct hobe_error err;
     struct hobe_modes_info info;
     double f[4];
     if (item->section && hobe_section_function(item->section, function, 0, 0, f, &err))
+        hobe_lua_raise(L, &err);
+    if (item->state && hobe_check_field(item->state, field, &err))
         hobe_lua_raise(L, &err);
     if (!item->modes)
         return;
@@ -271,7 +275,7 @@ static int make_picture(lua_State *L)
     const struct item *items = push_items(L, &options, &count);
     const struct hobe_field *field = items->section ? NULL : find_field(L, &options, items);
     for (int i = 0; i < count; i++)
-        check_item(L, functions[options.function], items + i);
+        check_item(L, functions[options.function], field, items + i);
     if (!hobe_lua_context(L)->folder)
         return 0;
     struct hobe_text *png = hobe_lua_stage(L, options.file);

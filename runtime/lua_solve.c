@@ -140,19 +140,32 @@ static const struct hobe_lua_key at_key = {.name = "at",
                                            .doc = "a fraction of the beam's length"};
 static const struct hobe_lua_key offset_key = {.name = "offset", .type = KEY_NUMBER};
 
-/* The point (beam, at, y, z) that the arguments of a method ask for; `name` is the method. */
-static struct hobe_point read_point(lua_State *L, const char *name)
+/* What the arguments (beam, at, y, z) of a method say. */
+struct spot {
+    const hobe_solution *solution;
+    const char *beam;
+    double at, y, z;
+};
+
+static struct spot read_spot(lua_State *L, const char *name)
 {
     struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct spot spot = {.solution = result->solution};
+    lua_settop(L, 5);
+    spot.beam = hobe_lua_text(L, 2, lua_pushfstring(L, "%s: the beam", name));
+    hobe_lua_read_value(L, 3, lua_pushfstring(L, "%s: at", name), &at_key, &spot.at);
+    hobe_lua_read_value(L, 4, lua_pushfstring(L, "%s: y", name), &offset_key, &spot.y);
+    hobe_lua_read_value(L, 5, lua_pushfstring(L, "%s: z", name), &offset_key, &spot.z);
+    return spot;
+}
+
+/* The point that the arguments of a method ask for; `name` is the method. */
+static struct hobe_point read_point(lua_State *L, const char *name)
+{
+    const struct spot s = read_spot(L, name);
     struct hobe_point point;
     struct hobe_error err;
-    double at, y, z;
-    lua_settop(L, 5);
-    const char *beam = hobe_lua_text(L, 2, lua_pushfstring(L, "%s: the beam", name));
-    hobe_lua_read_value(L, 3, lua_pushfstring(L, "%s: at", name), &at_key, &at);
-    hobe_lua_read_value(L, 4, lua_pushfstring(L, "%s: y", name), &offset_key, &y);
-    hobe_lua_read_value(L, 5, lua_pushfstring(L, "%s: z", name), &offset_key, &z);
-    if (hobe_solution_point(result->solution, beam, at, y, z, &point, &err))
+    if (hobe_solution_point(s.solution, s.beam, s.at, s.y, s.z, &point, &err))
         hobe_lua_raise(L, &err);
     return point;
 }
@@ -183,6 +196,77 @@ static int twist(lua_State *L)
     return 1;
 }
 
+/* A number or some numbers that have a name; a list of them ends with {0}. */
+struct part {
+    const char *name;
+    const double *value;
+    int count;
+};
+
+/* Pushes a table of them. */
+static int push_parts(lua_State *L, const struct part *part)
+{
+    lua_newtable(L);
+    for (; part->name; part++) {
+        if (part->count > 1)
+            hobe_lua_push_numbers(L, part->value, part->count);
+        else
+            lua_pushnumber(L, *part->value);
+        lua_setfield(L, -2, part->name);
+    }
+    return 1;
+}
+
+/* r:stress(beam, at, y, z) */
+static int stress(lua_State *L)
+{
+    const struct spot s = read_spot(L, "stress");
+    struct hobe_stress is;
+    struct hobe_error err;
+    if (hobe_solution_stress(s.solution, s.beam, s.at, s.y, s.z, &is, &err))
+        hobe_lua_raise(L, &err);
+    return push_parts(L, (const struct part[]){{"S", is.S, 6},
+                                               {"strain", is.strain, 6},
+                                               {"cauchy", is.cauchy, 6},
+                                               {"section", is.section, 6},
+                                               {"mises", &is.mises, 1},
+                                               {"energy", &is.energy, 1},
+                                               {0}});
+}
+
+static const struct hobe_lua_key cut_key = {
+    .name = "from", .type = KEY_CHOICE, .choices = "forces|stress"};
+
+/* r:resultants(beam, at, from) */
+static int resultants(lua_State *L)
+{
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_resultants is;
+    struct hobe_error err;
+    double at;
+    int cut;
+    lua_settop(L, 4);
+    const char *beam = hobe_lua_text(L, 2, "resultants: the beam");
+    hobe_lua_read_value(L, 3, "resultants: at", &at_key, &at);
+    hobe_lua_read_value(L, 4, "resultants: from", &cut_key, &cut);
+    if (hobe_solution_resultants(result->solution, beam, at, (enum hobe_cut)cut, &is, &err))
+        hobe_lua_raise(L, &err);
+    push_parts(L, (const struct part[]){{"N", is.force, 1},
+                                        {"Vy", is.force + 1, 1},
+                                        {"Vz", is.force + 2, 1},
+                                        {"Mx", is.moment, 1},
+                                        {"My", is.moment + 1, 1},
+                                        {"Mz", is.moment + 2, 1},
+                                        {"B", &is.bimoment, 1},
+                                        {"ex", is.axes[0], 3},
+                                        {"ey", is.axes[1], 3},
+                                        {"ez", is.axes[2], 3},
+                                        {0}});
+    lua_pushstring(L, is.cut == HOBE_CUT_FORCES ? "forces" : "stress");
+    lua_setfield(L, -2, "from");
+    return 1;
+}
+
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"displacement", displacement, "r:displacement(beam, at [, y, z])",
      "`{u1, u2, u3}`, m, global axes, at the fraction `at` of the beam's length; of the axis, or "
@@ -198,6 +282,19 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      NULL, NULL},
     {"strain", strain, "r:strain(beam, at [, y, z])",
      "Green-Lagrange strain `{xx, yy, zz, 2yz, 2xz, 2xy}` in the section's axes.", NULL, NULL},
+    {"stress", stress, "r:stress(beam, at [, y, z])",
+     "A table of stresses `{xx, yy, zz, yz, xz, xy}`, Pa: `cauchy` in global axes, `section` the "
+     "same in the section's axes now, `S` (second Piola-Kirchhoff) in those before the load, with "
+     "its `strain`; and `mises`, Pa, and the strain `energy`, J/m^3.  By the element's law: not of "
+     "3333s, whose law is one of section forces.",
+     NULL, NULL},
+    {"resultants", resultants, "r:resultants(beam, at [, from])",
+     "What the beam beyond `at` does to the part before it, about the centroid, on the section's "
+     "axes now, `ex`, `ey`, `ez`: `N`, `Vy`, `Vz`, N; `Mx`, `My`, `Mz`, N m; the bimoment `B`, "
+     "N m^2.  `from` says whence: `\"forces\"`, those at the nodes, which balance the loads as "
+     "exactly as the iteration has converged, at ends of elements, where it is the default; "
+     "`\"stress\"`, the integral of the traction, anywhere, which converges with the elements.",
+     NULL, NULL},
     {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
     {0}};
 

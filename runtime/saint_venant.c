@@ -214,11 +214,11 @@ static double box_distance(const struct hobe_mesh *mesh, int triangle, const dou
     return square;
 }
 
-void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double y, double z,
-                      double (*f)[4])
+/* The triangle that is nearest to (y, z), and its nearest point as barycentric `best`. */
+static int nearest_triangle(const struct hobe_mesh *mesh, double y, double z, double best[3])
 {
     const double p[2] = {y, z};
-    double nearest = INFINITY, best[3] = {1, 0, 0}, L[3];
+    double nearest = INFINITY, L[3];
     int triangle = 0;
     for (int t = 0; t < mesh->triangles && nearest > 0; t++) {
         if (box_distance(mesh, t, p) > nearest * nearest)
@@ -227,10 +227,24 @@ void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double
         if (d < nearest) {
             nearest = d;
             triangle = t;
-            memcpy(best, L, sizeof best);
+            memcpy(best, L, sizeof L);
         }
     }
-    evaluate(mesh, triangle, values, best, f);
+    return triangle;
+}
+
+void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double y, double z,
+                      double (*f)[4])
+{
+    double L[3] = {1, 0, 0};
+    const int triangle = nearest_triangle(mesh, y, z, L);
+    evaluate(mesh, triangle, values, L, f);
+}
+
+int hobe_mesh_region(const struct hobe_mesh *mesh, double y, double z)
+{
+    double L[3];
+    return mesh->region[nearest_triangle(mesh, y, z, L)];
 }
 
 enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *values,

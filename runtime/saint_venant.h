@@ -37,6 +37,9 @@ void hobe_extension_free(struct hobe_extension *extension);
 void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double y, double z,
                       double (*f)[4]);
 
+/* The region of the triangle there, or of the nearest one. */
+int hobe_mesh_region(const struct hobe_mesh *mesh, double y, double z);
+
 /* Cubature over the mesh with the fields as section functions: exact for their squares, those of
  * their gradients and polynomials of degree 4 in y and z. */
 enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *values,

@@ -196,6 +196,11 @@ int hobe_section_regions(const hobe_section *section)
     return section->material ? section->regions : 1;
 }
 
+int hobe_section_region(const hobe_section *section, double y, double z)
+{
+    return hobe_section_regions(section) > 1 ? section->kind->region(section, y, z) : 0;
+}
+
 const struct hobe_material *hobe_section_material(const hobe_section *section, int region)
 {
     return section->material ? section->material + region : NULL;

@@ -62,6 +62,9 @@ enum hobe_status hobe_section_functions_at(const hobe_section *section,
                                            const struct hobe_section_place *place, double y,
                                            double z, double (*f)[4], struct hobe_error *err);
 
+/* Which of the section's materials is at (y, z), or nearest to it. */
+int hobe_section_region(const hobe_section *section, double y, double z);
+
 /* One function and its gradient at (y, z) of a place (NULL: at 0), as hobe_section_function: f[3].
  */
 enum hobe_status hobe_section_function_at(const hobe_section *section, const char *name,
@@ -105,6 +108,8 @@ struct hobe_section_kind {
     /* The functions and their gradients at (y, z), f[HOBE_MAX_FUNCTIONS][4]; `paper`: those
      * that go with the paper's integration.  What the section has not is left alone. */
     void (*functions)(const hobe_section *section, int paper, double y, double z, double (*f)[4]);
+    /* The region at (y, z), or the nearest one; of a kind that can have several. */
+    int (*region)(const hobe_section *section, double y, double z);
     /* The outline about the section's own origin; circles become polygons of their area. */
     enum hobe_status (*outline)(const hobe_section *section, struct hobe_outline *outline,
                                 struct hobe_error *err);

@@ -184,6 +184,11 @@ static void functions(const hobe_section *section, int paper, double y, double z
         parts_warping(&s->parts, y, z, f[HOBE_W]);
 }
 
+static int region_at(const hobe_section *section, double y, double z)
+{
+    return hobe_mesh_region(&((const struct shape *)section)->mesh, y, z);
+}
+
 /* Whatever the fineness: the mesh is as fine as w needs. */
 static enum hobe_status surface(const hobe_section *section, int fineness,
                                 struct hobe_surface *surface, struct hobe_error *err)
@@ -246,6 +251,7 @@ static const struct hobe_section_sizes shape_sizes;
 static const struct hobe_section_kind shape_kind = {.rule = rule,
                                                     .functions = functions,
                                                     .distort = distort,
+                                                    .region = region_at,
                                                     .surface = surface,
                                                     .outline = copy_outline,
                                                     .close = close_shape,

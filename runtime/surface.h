@@ -54,11 +54,17 @@ struct hobe_field {
     const char *symbol, *unit;                       /* as pictures do; unit may be NULL */
     int signs;                                       /* it has both signs */
     int linear;                                      /* mode shapes have it, too */
-    double (*value)(const struct hobe_point *point); /* NULL: a section function of this name */
+    double (*value)(const struct hobe_point *point); /* NULL: a stress, or a section function of
+                                                        this name */
+    size_t stress; /* where in struct hobe_stress a stress is; 0: it is none */
 };
 
 /* The field called name, one that mode shapes have where `linear`; NULL with err listing them. */
 const struct hobe_field *hobe_find_field(const char *name, int linear, struct hobe_error *err);
+
+/* HOBE_BAD_INPUT where the field is a stress and a beam has none (hobe_solution_stress). */
+enum hobe_status hobe_check_field(const hobe_solution *solution, const struct hobe_field *field,
+                                  struct hobe_error *err);
 
 /* The skins of all beams: their outlines swept from end to end, and both ends closed, with the
  * displacements of the state and the values of the field; edges along sharp corners and around the

@@ -170,6 +170,34 @@ static long elements_fail(enum hobe_status (*make)(struct hobe_error *err))
     }
 }
 
+/* Stress and section forces of a solution that stands. */
+static enum hobe_status read_forces(const hobe_solution *solution, struct hobe_error *err)
+{
+    struct hobe_stress stress;
+    struct hobe_resultants r;
+    enum hobe_status status = hobe_solution_stress(solution, "inner", 0.2, 0, 0, &stress, err);
+    if (!status)
+        status = hobe_solution_resultants(solution, "inner", 0.5, HOBE_CUT_FORCES, &r, err);
+    if (!status)
+        status = hobe_solution_resultants(solution, "inner", 0.5, HOBE_CUT_STRESS, &r, err);
+    return status;
+}
+
+static long forces_fail(const hobe_solution *solution)
+{
+    for (long n = 1;; n++) {
+        struct hobe_error err = {0};
+        hobe_fail_allocation(n);
+        const enum hobe_status status = read_forces(solution, &err);
+        if (hobe_fail_allocation(0) < n) {
+            check_that(status == HOBE_OK, "nothing failed: %s", err.message);
+            return n - 1;
+        }
+        check_that(status == HOBE_NO_MEMORY && err.status == HOBE_NO_MEMORY,
+                   "allocation %ld of section forces: %s", n, err.message);
+    }
+}
+
 int main(void)
 {
     struct run run = {0};
@@ -181,6 +209,7 @@ int main(void)
     check_that(n > 30 && n < 10000, "allocations were counted: %ld", n);
     printf("%ld allocations of a scene, %ld of an element, %ld of a tapered one, failed in turn\n",
            n - 1, elements_fail(one_element), elements_fail(tapered_element));
+    check_that(forces_fail(run.solution) >= 5, "section forces allocate");
     close_run(&run);
     return check_report();
 }

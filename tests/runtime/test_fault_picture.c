@@ -20,7 +20,7 @@ static enum hobe_status draw(const struct scene *scene, int kind, struct hobe_te
                              struct hobe_error *err)
 {
     struct hobe_surface surface;
-    const struct hobe_field *field = hobe_find_field("u", 1, err);
+    const struct hobe_field *field = hobe_find_field(kind == 1 ? "mises" : "u", kind != 1, err);
     enum hobe_status status =
         kind == 0   ? hobe_section_field(scene->section, "w", 4, 0.01, &surface, err)
         : kind == 1 ? hobe_solution_surface(scene->solution, field, &surface, err)

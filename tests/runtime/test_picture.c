@@ -277,6 +277,12 @@ static void check_beam_surfaces(void)
             most = fmax(most, skin.value[p]);
         check_relative(most, tip, 1e-8, "%s: largest ux", name);
         hobe_surface_free(&skin);
+        if (hobe_solution_surface(solution, hobe_find_field("sxx", 0, &err), &skin, &err))
+            check_stop("%s", err.message);
+        for (int p = 0; p < skin.points; p++) /* and the stress is the force over the area */
+            if (!check_relative(skin.value[p] * V, 2 * 1e6, 1e-8, "%s: sxx", name))
+                break;
+        hobe_surface_free(&skin);
         hobe_solution_free(solution);
         hobe_model_free(model);
         hobe_section_free(section);
