@@ -5,11 +5,10 @@
 
 #include <string.h>
 
-/* The displacements of a batch, structure of arrays; spare lanes repeat the last element. */
+/* A field of a batch, structure of arrays; spare lanes repeat the last element. */
 static void gather(const struct hobe_model *model, const struct beam *beam,
-                   const struct batch *batch, const double *u)
+                   const struct batch *batch, const double *u, hobe_lanes *to)
 {
-    hobe_lanes *to = model->work.u;
     for (int lane = 0; lane < HOBE_LANES; lane++) {
         const int e = batch->first + (lane < batch->count ? lane : batch->count - 1);
         for (int v = 0; v < beam->kernel->vectors; v++) {
@@ -59,13 +58,33 @@ void assemble(const struct hobe_model *model, const double *u, double *f, double
         for (int b = 0; b < beam->batches; b++) {
             const struct batch *batch = beam->batch + b;
             const struct hobe_invariants *inv = hobe_element_invariants(batch->law);
-            gather(model, beam, batch, u);
+            gather(model, beam, batch, u, work->u);
             if (Ax)
                 beam->kernel->tangent(inv, batch->q0, work->u, work->f, work->K, work->scratch);
             else
                 beam->kernel->force(inv, batch->q0, work->u, work->f, work->scratch);
             scatter_force(model, beam, batch, f);
             for (int lane = 0; Ax && lane < batch->count; lane++)
+                scatter_tangent(model, beam, batch->first + lane, lane, Ax);
+        }
+    }
+}
+
+void assemble_strained(const struct hobe_model *model, const double *u, const double *v, double *Ax)
+{
+    const struct workspace *work = &model->work;
+    memset(Ax, 0, (size_t)(9 * model->pattern.start[model->unknowns]) * sizeof *Ax);
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        for (int b = 0; b < beam->batches; b++) {
+            const struct batch *batch = beam->batch + b;
+            gather(model, beam, batch, u, work->q0);
+            gather(model, beam, batch, v, work->u);
+            for (int k = 0; k < 3 * beam->kernel->vectors; k++)
+                work->q0[k] += batch->q0[k] - work->u[k];
+            beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f,
+                                  work->K, work->scratch);
+            for (int lane = 0; lane < batch->count; lane++)
                 scatter_tangent(model, beam, batch->first + lane, lane, Ax);
         }
     }
@@ -78,7 +97,7 @@ double assemble_energy(const struct hobe_model *model, const double *u)
         const struct beam *beam = model_beam(model, i);
         for (int b = 0; b < beam->batches; b++) {
             const struct batch *batch = beam->batch + b;
-            gather(model, beam, batch, u);
+            gather(model, beam, batch, u, model->work.u);
             beam->kernel->energy(hobe_element_invariants(batch->law), batch->q0, model->work.u,
                                  model->work.f);
             for (int lane = 0; lane < batch->count; lane++)

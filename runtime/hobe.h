@@ -473,6 +473,7 @@ typedef struct hobe_modes hobe_modes;
 
 struct hobe_modes_info {
     int count;      /* modes found */
+    int buckling;   /* they are of hobe_buckling */
     int unstable;   /* modes of the scene with omega^2 < 0, wanted or not; -1: not known */
     long unknowns;  /* scalar unknowns, multipliers included */
     double mass;    /* of all beams, kg */
@@ -515,5 +516,21 @@ enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *be
 /* phi_i'M phi_j, summed over the elements: the modal mass, 1, where i = j, and 0 elsewhere, but for
  * rounding.  NaN where there are no such modes. */
 double hobe_modes_mass(const hobe_modes *modes, int i, int j);
+
+/* ---- buckling (buckling.c) ------------------------------------------------------------------ */
+
+/* Linear buckling from the equilibrium `state` of this model, or, where NULL, from the reference:
+ * the factors lambda of all loads, above that state's own lambda_s, at which (K + (lambda -
+ * lambda_s) G) phi = 0, K the tangent stiffness in the state and G the geometric stiffness of the
+ * stresses that the loads add to it linearly.  The smallest first, at most as many as wanted (0:
+ * 10); phi'G phi = -1 J.  HOBE_BAD_INPUT where the scene has follower forces or no load, or is
+ * unstable in that state already.  On success *modes as from hobe_modal, for hobe_modes_factor and
+ * hobe_modes_point. */
+enum hobe_status hobe_buckling(hobe_model *model, const hobe_solution *state,
+                               const struct hobe_modal_options *options, hobe_modes **modes,
+                               struct hobe_error *err);
+
+/* The i-th critical load factor; NaN where there is none. */
+double hobe_modes_factor(const hobe_modes *modes, int i);
 
 #endif

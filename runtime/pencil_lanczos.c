@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Modes of large models and of models with corners: Lanczos' method about a shift, and the count of
  * modes below it that says whether one was missed. */
-#include "modal.h"
+#include "pencil.h"
 
 #include "constraint.h"
 #include "eigen.h"
@@ -16,15 +16,15 @@ enum {
     ATTEMPTS = 4
 };
 
-/* Modes this near to the last one, relative to omega^2, may be its twins and are not counted on. */
+/* Modes this near to the last one, relative to mu, may be its twins and are not counted on. */
 static const double TWIN = 1e-6;
 
 static enum hobe_status solve_factored(void *context, double *x, struct hobe_error *err)
 {
-    return hobe_linsolve_solve(((struct modal *)context)->model->solver, x, err);
+    return hobe_linsolve_solve(((struct pencil *)context)->model->solver, x, err);
 }
 
-static void shift(struct modal *s, double sigma)
+static void shift(struct pencil *s, double sigma)
 {
     for (long k = 0; k < values(s); k++)
         s->Sx[k] = s->Ax[k] - sigma * s->Mx[k];
@@ -32,7 +32,7 @@ static void shift(struct modal *s, double sigma)
 
 /* Takes a corner's multipliers out of the shifted matrix: their rows go to G[3][n] and G'G is added
  * to the vectors they tie. */
-static void detach_corner(struct modal *s, const struct corner *c, double *G)
+static void detach_corner(struct pencil *s, const struct corner *c, double *G)
 {
     enum { TIED = CORNER_VECTORS - 1 };
     const struct pattern *p = &s->model->pattern;
@@ -59,7 +59,7 @@ static void detach_corner(struct modal *s, const struct corner *c, double *G)
 
 /* S = G A^-1 G' with the last factors of A, G[m][n], and how many of its eigenvalues are positive.
  */
-static enum hobe_status count_positive(struct modal *s, long m, const double *G, long *positive,
+static enum hobe_status count_positive(struct pencil *s, long m, const double *G, long *positive,
                                        struct hobe_error *err)
 {
     double *S = hobe_alloc((size_t)(m * m), sizeof *S, err);
@@ -85,7 +85,7 @@ static enum hobe_status count_positive(struct modal *s, long m, const double *G,
  * the bordered matrix [A G'; G 0] is congruent to one with A + G'G in the place of A, and so has
  * the signs of A + G'G and of -S, S = G (A + G'G)^-1 G'; a negative one for each multiplier is not
  * a mode's.  G'G ties what would be loose without the corners. */
-static enum hobe_status count_behind_corners(struct modal *s, double sigma, long *below,
+static enum hobe_status count_behind_corners(struct pencil *s, double sigma, long *below,
                                              struct hobe_error *err)
 {
     double *G = hobe_alloc((size_t)(s->multipliers * s->n), sizeof *G, err);
@@ -112,22 +112,20 @@ static enum hobe_status count_behind_corners(struct modal *s, double sigma, long
 }
 
 /* The same by dense factors. */
-static enum hobe_status count_densely(struct modal *s, double sigma, long *below,
+static enum hobe_status count_densely(struct pencil *s, double sigma, long *below,
                                       struct hobe_error *err)
 {
     double *full = hobe_alloc((size_t)(s->n * s->n), sizeof *full, err);
     if (!full)
         return HOBE_NO_MEMORY;
-    modal_spread(s, s->Ax, sigma, full);
+    pencil_spread(s, s->Ax, sigma, full);
     const enum hobe_status status = eigen_count_negative((int)s->n, full, below, err);
     *below -= s->multipliers;
     hobe_free(full);
     return status;
 }
 
-/* Factors K - sigma M and counts the modes below sigma; -1 where that would take too long. */
-static enum hobe_status factor_and_count(struct modal *s, double sigma, long *below,
-                                         struct hobe_error *err)
+enum hobe_status pencil_count(struct pencil *s, double sigma, long *below, struct hobe_error *err)
 {
     long column;
     *below = -1;
@@ -148,61 +146,65 @@ static enum hobe_status factor_and_count(struct modal *s, double sigma, long *be
     return *below < 0 && s->n <= COUNTED_DENSE ? count_densely(s, sigma, below, err) : HOBE_OK;
 }
 
-/* The `unstable` modes with negative nu = 1/omega^2, and the first of the others; without a count
+/* The `unstable` modes with negative nu = 1/mu, and the first of the others; without a count
  * those nearest to zero. */
-static enum hobe_status run_lanczos(struct modal *s, int modes, long unstable, long rank,
+static enum hobe_status run_lanczos(struct pencil *s, int modes, long unstable, long rank,
                                     struct hobe_error *err)
 {
-    const struct eigen_pencil pencil = {(int)s->n, s, modal_multiply_mass, solve_factored};
+    const struct eigen_pencil pencil = {(int)s->n, s, pencil_multiply,
+                                        s->buckling ? pencil_multiply_stiffness : NULL,
+                                        solve_factored};
     const int most = (int)rank, below = unstable > 0 ? (int)unstable : 0;
-    enum hobe_status status = modal_make_room(s, modes > below ? modes : below, err);
+    enum hobe_status status = pencil_make_room(s, modes > below ? modes : below, err);
     if (!status && below)
-        status = eigen_lanczos(&pencil, EIGEN_SMALLEST, below, most, s->omega2, s->X, err);
+        status = eigen_lanczos(&pencil, EIGEN_SMALLEST, below, most, s->mu, s->X, err);
     if (!status && modes > below)
         status = eigen_lanczos(&pencil, unstable < 0 ? EIGEN_LARGEST_MAGNITUDE : EIGEN_LARGEST,
-                               modes - below, most, s->omega2 + below, s->X + below * s->n, err);
+                               modes - below, most, s->mu + below, s->X + below * s->n, err);
     for (int i = 0; !status && i < s->room; i++) /* nu until here */
-        s->omega2[i] = 1 / s->omega2[i];
+        s->mu[i] = pencil_mu(s, s->mu[i]);
     return status;
 }
 
-/* Sorts the modes found by omega^2: insertion, for few modes that are nearly sorted. */
-static void sort_modes(struct modal *s, double *buffer)
+/* Sorts the modes found by mu: insertion, for few modes that are nearly sorted. */
+static void sort_modes(struct pencil *s, double *buffer)
 {
     const size_t size = (size_t)s->n * sizeof *buffer;
     for (int i = 1; i < s->room; i++) {
-        const double omega2 = s->omega2[i];
+        const double mu = s->mu[i];
         int to = i;
-        while (to > 0 && s->omega2[to - 1] > omega2)
+        while (to > 0 && s->mu[to - 1] > mu)
             to--;
         memcpy(buffer, s->X + i * s->n, size);
         memmove(s->X + (to + 1) * s->n, s->X + to * s->n, (size_t)(i - to) * size);
         memcpy(s->X + to * s->n, buffer, size);
-        memmove(s->omega2 + to + 1, s->omega2 + to, (size_t)(i - to) * sizeof *s->omega2);
-        s->omega2[to] = omega2;
+        memmove(s->mu + to + 1, s->mu + to, (size_t)(i - to) * sizeof *s->mu);
+        s->mu[to] = mu;
     }
 }
 
 /* How many modes below the last wanted one are missing: Lanczos' method can overlook one of two
  * equal ones (a square section has pairs). */
-static enum hobe_status count_missing(struct modal *s, int modes, long *missing,
+static enum hobe_status count_missing(struct pencil *s, int modes, long *missing,
                                       struct hobe_error *err)
 {
-    const double last = s->omega2[modes - 1];
     long below;
     *missing = 0;
+    while (modes > 0 && isinf(s->mu[modes - 1]))
+        modes--;
+    const double last = modes > 0 ? s->mu[modes - 1] : 0;
     if (last <= 0) /* unstable ones are as many as were counted */
         return HOBE_OK;
-    const enum hobe_status status = factor_and_count(s, (1 - TWIN) * last, &below, err);
+    const enum hobe_status status = pencil_count(s, (1 - TWIN) * last, &below, err);
     if (status || below < 0)
         return status;
     *missing = below;
     for (int i = 0; i < s->room; i++)
-        *missing -= s->omega2[i] < (1 - TWIN) * last;
+        *missing -= s->mu[i] < (1 - TWIN) * last;
     return HOBE_OK;
 }
 
-enum hobe_status modal_lanczos(struct modal *s, int modes, int *unstable, struct hobe_error *err)
+enum hobe_status pencil_lanczos(struct pencil *s, int modes, int *unstable, struct hobe_error *err)
 {
     const long rank = s->n - 2 * s->multipliers; /* of K^-1 M */
     double *buffer = hobe_alloc((size_t)s->n, sizeof *buffer, err);
@@ -217,7 +219,9 @@ enum hobe_status modal_lanczos(struct modal *s, int modes, int *unstable, struct
                                missing, modes);
             break;
         }
-        status = factor_and_count(s, 0, &below, err);
+        status = pencil_count(s, 0, &below, err);
+        if (!status && s->buckling && below > 0)
+            status = pencil_fail_unstable(err);
         *unstable = (int)below;
         if (!status)
             status = run_lanczos(s, (int)asked, below, rank, err);
