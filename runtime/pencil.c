@@ -4,6 +4,7 @@
 #include "assemble.h"
 #include "constraint.h"
 #include "eigen.h"
+#include "inertia.h"
 #include "load.h"
 #include "pattern.h"
 #include "solution.h"
@@ -226,8 +227,7 @@ enum hobe_status pencil_open(struct pencil *s, const char *what, struct hobe_err
         return HOBE_BAD_INPUT;
     const size_t size = (size_t)(3 * s->model->vectors), n = (size_t)(3 * s->model->unknowns);
     s->n = (long)n;
-    for (long v = s->model->beam_vectors; v < s->model->vectors; v++)
-        s->multipliers += 3 * (s->model->unknown[v] >= 0);
+    s->multipliers = inertia_multipliers(s->model);
     s->u = hobe_alloc(size, sizeof *s->u, err);
     s->r = hobe_alloc(size, sizeof *s->r, err);
     s->scale = hobe_alloc(n, sizeof *s->scale, err);

@@ -3,8 +3,8 @@
  * modes below it that says whether one was missed. */
 #include "pencil.h"
 
-#include "constraint.h"
 #include "eigen.h"
+#include "inertia.h"
 #include "pattern.h"
 
 #include <math.h>
@@ -30,88 +30,7 @@ static void shift(struct pencil *s, double sigma)
         s->Sx[k] = s->Ax[k] - sigma * s->Mx[k];
 }
 
-/* Takes a corner's multipliers out of the shifted matrix: their rows go to G[3][n] and G'G is added
- * to the vectors they tie. */
-static void detach_corner(struct pencil *s, const struct corner *c, double *G)
-{
-    enum { TIED = CORNER_VECTORS - 1 };
-    const struct pattern *p = &s->model->pattern;
-    const long *unknown = s->model->unknown;
-    double g[TIED][3][3] = {0};
-    for (int i = 0; i < TIED; i++)
-        for (int m = 0; m < 3 && c->block[TIED][i] >= 0; m++)
-            for (int a = 0; a < 3; a++) {
-                const long column = unknown[c->vector[i]], row = unknown[c->vector[TIED]];
-                double *at = s->Sx + pattern_scalar(p, column, c->block[TIED][i], m, a);
-                G[m * s->n + 3 * column + a] = g[i][m][a] = *at;
-                *at = s->Sx[pattern_scalar(p, row, c->block[i][TIED], a, m)] = 0;
-            }
-    for (int i = 0; i < TIED; i++)
-        for (int j = 0; j < TIED; j++)
-            for (int a = 0; a < 3 && c->block[i][j] >= 0; a++)
-                for (int b = 0; b < 3; b++)
-                    for (int m = 0; m < 3; m++)
-                        s->Sx[pattern_scalar(p, unknown[c->vector[j]], c->block[i][j], a, b)] +=
-                            g[i][m][a] * g[j][m][b];
-    for (int m = 0; m < 3; m++)
-        s->Sx[pattern_scalar(p, unknown[c->vector[TIED]], c->block[TIED][TIED], m, m)] = 1;
-}
-
-/* S = G A^-1 G' with the last factors of A, G[m][n], and how many of its eigenvalues are positive.
- */
-static enum hobe_status count_positive(struct pencil *s, long m, const double *G, long *positive,
-                                       struct hobe_error *err)
-{
-    double *S = hobe_alloc((size_t)(m * m), sizeof *S, err);
-    double *eigenvalue = hobe_alloc((size_t)m, sizeof *eigenvalue, err);
-    enum hobe_status status = S && eigenvalue ? HOBE_OK : HOBE_NO_MEMORY;
-    for (long i = 0; !status && i < m; i++) {
-        memcpy(s->product, G + i * s->n, (size_t)s->n * sizeof *G);
-        status = hobe_linsolve_solve(s->model->solver, s->product, err);
-        for (long j = 0; j < m; j++)
-            S[i * m + j] = dot(s->n, s->product, G + j * s->n);
-    }
-    if (!status)
-        status = hobe_eigenvalues((int)m, S, eigenvalue, err);
-    *positive = 0;
-    for (long i = 0; !status && i < m; i++)
-        *positive += eigenvalue[i] > 0;
-    hobe_free(S);
-    hobe_free(eigenvalue);
-    return status;
-}
-
-/* The modes below sigma of a model with corners; -1 where the factors do not show them.  Sylvester:
- * the bordered matrix [A G'; G 0] is congruent to one with A + G'G in the place of A, and so has
- * the signs of A + G'G and of -S, S = G (A + G'G)^-1 G'; a negative one for each multiplier is not
- * a mode's.  G'G ties what would be loose without the corners. */
-static enum hobe_status count_behind_corners(struct pencil *s, double sigma, long *below,
-                                             struct hobe_error *err)
-{
-    double *G = hobe_alloc((size_t)(s->multipliers * s->n), sizeof *G, err);
-    long rows = 0, column, positive = 0;
-    *below = -1;
-    if (!G)
-        return HOBE_NO_MEMORY;
-    shift(s, sigma);
-    for (size_t i = 0; i < s->model->corners.count; i++) {
-        const struct corner *c = model_corner(s->model, i);
-        if (s->model->unknown[c->vector[CORNER_VECTORS - 1]] >= 0) {
-            detach_corner(s, c, G + rows * s->n);
-            rows += 3;
-        }
-    }
-    enum hobe_status status = hobe_linsolve_factor(s->model->solver, s->Sx, s->ones, &column, err);
-    const long negative = status ? -1 : hobe_linsolve_negative(s->model->solver);
-    if (negative >= 0)
-        status = count_positive(s, rows, G, &positive, err);
-    if (negative >= 0 && !status)
-        *below = negative + positive - rows;
-    hobe_free(G);
-    return status == HOBE_SINGULAR ? HOBE_OK : status; /* then another count is tried */
-}
-
-/* The same by dense factors. */
+/* The modes below sigma by dense factors. */
 static enum hobe_status count_densely(struct pencil *s, double sigma, long *below,
                                       struct hobe_error *err)
 {
@@ -129,10 +48,14 @@ enum hobe_status pencil_count(struct pencil *s, double sigma, long *below, struc
 {
     long column;
     *below = -1;
-    enum hobe_status status = s->multipliers ? count_behind_corners(s, sigma, below, err) : HOBE_OK;
+    enum hobe_status status = HOBE_OK;
+    shift(s, sigma);
+    if (s->multipliers) {
+        status = inertia_behind_corners(s->model, s->Sx, s->ones, below, err);
+        shift(s, sigma);
+    }
     if (status)
         return status;
-    shift(s, sigma);
     status = hobe_linsolve_factor(s->model->solver, s->Sx, s->ones, &column, err);
     if (status == HOBE_SINGULAR)
         return hobe_fail(err, status, NULL,
