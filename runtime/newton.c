@@ -35,8 +35,7 @@ void solver_log(struct solver *s, const char *note)
         s->options.log(s->options.context, &s->now);
 }
 
-/* x = the entries of a vector field at the unknowns. */
-static void restrict_to_unknowns(const hobe_model *model, const double *field, double *x)
+void solver_restrict(const hobe_model *model, const double *field, double *x)
 {
     for (long v = 0; v < model->vectors; v++)
         if (model->unknown[v] >= 0)
@@ -101,7 +100,7 @@ enum outcome solver_factor(struct solver *s, struct hobe_error *err)
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,
                               struct hobe_error *err)
 {
-    restrict_to_unknowns(s->model, field, x);
+    solver_restrict(s->model, field, x);
     for (long i = 0; i < 3 * s->model->unknowns; i++)
         x[i] *= factor;
     return hobe_linsolve_solve(s->model->solver, x, err);

@@ -52,6 +52,9 @@ enum outcome solver_factor(struct solver *s, struct hobe_error *err);
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,
                               struct hobe_error *err);
 
+/* x = the entries of a vector field at the unknowns. */
+void solver_restrict(const hobe_model *model, const double *field, double *x);
+
 /* u += factor x */
 void solver_move(struct solver *s, const double *x, double factor);
 

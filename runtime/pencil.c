@@ -181,14 +181,12 @@ static enum hobe_status check_state(const struct pencil *s, const char *what,
     const hobe_model *model = s->model;
     if (s->state && s->state->model != model)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "the state belongs to another scene");
-    for (size_t i = 0; (s->state || s->buckling) && i < model->forces.count; i++) {
-        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (force->follower)
-            return hobe_fail(err, HOBE_BAD_INPUT, force->where,
-                             "a follower force makes the stiffness unsymmetric, which %s cannot "
-                             "treat; make the force on beam \"%s\" a dead one%s",
-                             what, force->beam, s->buckling ? "" : ", or leave out the state");
-    }
+    const struct hobe_force *force = s->state || s->buckling ? load_follower(model) : NULL;
+    if (force)
+        return hobe_fail(err, HOBE_BAD_INPUT, force->where,
+                         "a follower force makes the stiffness unsymmetric, which %s cannot "
+                         "treat; make the force on beam \"%s\" a dead one%s",
+                         what, force->beam, s->buckling ? "" : ", or leave out the state");
     return HOBE_OK;
 }
 
