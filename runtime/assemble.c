@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* The displacements of a batch, structure of arrays; spare lanes repeat the last element. */
+/* A field of a batch, structure of arrays; spare lanes repeat the last element. */
 static void gather(const struct hobe_model *model, const struct beam *beam,
                    const struct batch *batch, const double *u, hobe_lanes *to)
 {
@@ -65,6 +65,26 @@ void assemble(const struct hobe_model *model, const double *u, double *f, double
                 beam->kernel->force(inv, batch->q0, work->u, work->f, work->scratch);
             scatter_force(model, beam, batch, f);
             for (int lane = 0; Ax && lane < batch->count; lane++)
+                scatter_tangent(model, beam, batch->first + lane, lane, Ax);
+        }
+    }
+}
+
+void assemble_strained(const struct hobe_model *model, const double *u, const double *v, double *Ax)
+{
+    const struct workspace *work = &model->work;
+    memset(Ax, 0, (size_t)(9 * model->pattern.start[model->unknowns]) * sizeof *Ax);
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        for (int b = 0; b < beam->batches; b++) {
+            const struct batch *batch = beam->batch + b;
+            gather(model, beam, batch, u, work->q0);
+            gather(model, beam, batch, v, work->u);
+            for (int k = 0; k < 3 * beam->kernel->vectors; k++)
+                work->q0[k] += batch->q0[k] - work->u[k];
+            beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f,
+                                  work->K, work->scratch);
+            for (int lane = 0; lane < batch->count; lane++)
                 scatter_tangent(model, beam, batch->first + lane, lane, Ax);
         }
     }

@@ -13,6 +13,12 @@ void assemble(const struct hobe_model *model, const double *u, double *f, double
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
                                   const double *u, double *f, struct hobe_error *err);
 
+/* Ax[nonzeros] = the tangent of elements that are where u puts them and have come there from where
+ * u - v would: it differs from that of unstrained ones by the geometric stiffness of the strains of
+ * v, to the first order, without what the displacements v themselves change. */
+void assemble_strained(const struct hobe_model *model, const double *u, const double *v,
+                       double *Ax);
+
 /* Strain energy of all elements, J. */
 double assemble_energy(const struct hobe_model *model, const double *u);
 

@@ -158,15 +158,19 @@ static enum hobe_status run_lanczos(struct lanczos *l, const struct eigen_pencil
                                     struct hobe_error *err)
 {
     const size_t size = (size_t)l->n * sizeof(double);
+    void (*const inner)(void *, const double *, double *) =
+        pencil->inner ? pencil->inner : pencil->multiply;
     int ido = 0;
     for (;;) {
         dsaupd_c(&ido, "G", l->n, l->end, l->wanted, 0, l->start, l->space, l->V, l->n, l->iparam,
                  l->ipntr, l->workd, l->workl, work_size(l), &l->info);
         const double *x = l->workd + l->ipntr[0] - 1;
         double *y = l->workd + l->ipntr[1] - 1;
-        if (ido == -1 || ido == 2)
+        if (ido == 2)
+            inner(pencil->context, x, y);
+        else if (ido == -1 || (ido == 1 && pencil->inner))
             pencil->multiply(pencil->context, x, y);
-        else if (ido == 1)
+        else if (ido == 1) /* M x is there from the inner product */
             memcpy(y, l->workd + l->ipntr[2] - 1, size);
         else
             break;

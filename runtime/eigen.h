@@ -17,11 +17,13 @@ enum hobe_status eigen_count_negative(int n, double *A, long *negative, struct h
 enum hobe_status eigen_dense(int n, double *M, double *K, double *nu, int *definite,
                              struct hobe_error *err);
 
-/* A pencil of n unknowns as two functions: y = M x, M positive semidefinite; and x = K^-1 x. */
+/* A pencil of n unknowns as functions: y = M x; x = K^-1 x; and y = B x, B the matrix of the inner
+ * product: K, where it is positive definite, or, where that is NULL, M, positive semidefinite. */
 struct eigen_pencil {
     int n;
     void *context;
     void (*multiply)(void *context, const double *x, double *y);
+    void (*inner)(void *context, const double *x, double *y);
     enum hobe_status (*solve)(void *context, double *x, struct hobe_error *err);
 };
 
@@ -29,7 +31,7 @@ struct eigen_pencil {
 enum eigen_end { EIGEN_LARGEST, EIGEN_SMALLEST, EIGEN_LARGEST_MAGNITUDE };
 
 /* `wanted` pairs of that end by Lanczos' method with implicit restarts, to rounding: nu[wanted],
- * X[wanted][n] with x'Mx = 1, in no special order.  The start vector is always the same.  The
+ * X[wanted][n] with x'Bx = 1, in no special order.  The start vector is always the same.  The
  * Krylov space has at most `most` dimensions, wanted < most <= the rank of K^-1 M.  Not for two
  * threads at once: ARPACK keeps its state to itself. */
 enum hobe_status eigen_lanczos(const struct eigen_pencil *pencil, enum eigen_end end, int wanted,

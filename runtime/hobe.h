@@ -419,7 +419,9 @@ typedef struct hobe_solution hobe_solution;
 
 struct hobe_solution_info {
     int steps, iterations, cutbacks, factorisations;
-    double load;     /* load factor reached: 1 */
+    double load;     /* load factor reached: 1 of hobe_static */
+    int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
+                        stable; -1: not counted, as by hobe_static */
     double residual; /* of the last iteration */
     double energy;   /* strain energy, J */
     double
@@ -434,6 +436,68 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
                              hobe_solution **solution, struct hobe_error *err);
 void hobe_solution_free(hobe_solution *solution);
 void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info);
+
+/* ---- paths (path.c) ------------------------------------------------------------------------- */
+
+/* A place whose displacement ends a path: where its component along `value` reaches the length of
+ * `value`, m. */
+struct hobe_reach {
+    const char *where, *beam; /* beam: NULL where there is no such end */
+    double at;
+    double value[3];
+};
+
+struct hobe_path_options {
+    struct hobe_newton newton; /* of which steps, smallest_step and no_line_search do not count */
+    int steps;                 /* at most; 0: 200 */
+    double arc; /* longest step, in units of the arc that the linear response to all loads takes
+                   from the reference; 0: 0.05 */
+    double smallest_arc; /* below which the path is given up, as a share of arc; 0: 1e-4 */
+    double to; /* load factor that ends the path, and the direction in which it starts; 0: 1 */
+    struct hobe_reach reach;
+};
+
+/* Equilibria from the reference on, in order, under a load factor that is found with them. */
+typedef struct hobe_path hobe_path;
+
+enum hobe_path_end { HOBE_PATH_LOAD, HOBE_PATH_DISPLACEMENT, HOBE_PATH_STEPS };
+
+struct hobe_path_info {
+    int points, events;
+    int iterations, cutbacks;
+    enum hobe_path_end end; /* what ended the path: options.to, options.reach, or options.steps */
+    double seconds;         /* in hobe_path_follow without set-up */
+};
+
+/* Between two neighbouring points the stiffness has become singular. */
+struct hobe_path_event {
+    int bifurcation; /* 0: a limit point, where the load turns; 1: another path crosses */
+    int before;      /* number of the point before, from 0; -1: the reference */
+    int change;      /* of the number of negative eigenvalues; 0 where that is not known */
+    double load[2];  /* load factors before and after */
+    double extreme;  /* of a limit point: the load factor there, of the cubic through both points
+                        with their tangents; of a bifurcation the mean of both */
+};
+
+/* Follows the equilibrium path from the reference by arc length: s'= 1 in the norm |(u, lambda)|^2
+ * = u'W u/c + lambda^2, W the diagonal of the stiffness at the reference and c the u'W u of the
+ * linear response to all loads.  Each step is corrected in the plane normal to the tangent (Riks
+ * 1979), and ends the path exactly at options.to or options.reach when it passes that.  On success
+ * *path is owned by the caller and refers to the model.  HOBE_NOT_CONVERGED says how far it got. */
+enum hobe_status hobe_path_follow(hobe_model *model, const struct hobe_path_options *options,
+                                  hobe_path **path, struct hobe_error *err);
+void hobe_path_free(hobe_path *path);
+void hobe_path_info(const hobe_path *path, struct hobe_path_info *info);
+
+/* The i-th point, owned by the path; its info.load is the load factor.  NULL past the last. */
+const hobe_solution *hobe_path_point(const hobe_path *path, int i);
+
+/* The same, to be owned by the caller from now on; the path has it no more. */
+hobe_solution *hobe_path_take(hobe_path *path, int i);
+
+/* The i-th event, 0 <= i < events, and its sentence; points are counted from 1 in it. */
+const struct hobe_path_event *hobe_path_event(const hobe_path *path, int i);
+void hobe_path_event_text(const struct hobe_path_event *event, char *text, size_t size);
 
 /* ---- results (result.c, stress.c, resultants.c) --------------------------------------------- */
 
@@ -522,6 +586,7 @@ typedef struct hobe_modes hobe_modes;
 
 struct hobe_modes_info {
     int count;      /* modes found */
+    int buckling;   /* they are of hobe_buckling */
     int unstable;   /* modes of the scene with omega^2 < 0, wanted or not; -1: not known */
     long unknowns;  /* scalar unknowns, multipliers included */
     double mass;    /* of all beams, kg */
@@ -564,5 +629,21 @@ enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *be
 /* phi_i'M phi_j, summed over the elements: the modal mass, 1, where i = j, and 0 elsewhere, but for
  * rounding.  NaN where there are no such modes. */
 double hobe_modes_mass(const hobe_modes *modes, int i, int j);
+
+/* ---- buckling (buckling.c) ------------------------------------------------------------------ */
+
+/* Linear buckling from the equilibrium `state` of this model, or, where NULL, from the reference:
+ * the factors lambda of all loads, above that state's own lambda_s, at which (K + (lambda -
+ * lambda_s) G) phi = 0, K the tangent stiffness in the state and G the geometric stiffness of the
+ * stresses that the loads add to it linearly.  The smallest first, at most as many as wanted (0:
+ * 10); phi'G phi = -1 J.  HOBE_BAD_INPUT where the scene has follower forces or no load, or is
+ * unstable in that state already.  On success *modes as from hobe_modal, for hobe_modes_factor and
+ * hobe_modes_point. */
+enum hobe_status hobe_buckling(hobe_model *model, const hobe_solution *state,
+                               const struct hobe_modal_options *options, hobe_modes **modes,
+                               struct hobe_error *err);
+
+/* The i-th critical load factor; NaN where there is none. */
+double hobe_modes_factor(const hobe_modes *modes, int i);
 
 #endif

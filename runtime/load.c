@@ -227,16 +227,35 @@ static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_erro
     return HOBE_OK;
 }
 
-enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
+enum hobe_status load_at(const struct hobe_model *model, const char *beam, double at,
+                         const double F[3], const char *where, double *r, struct hobe_error *err)
+{
+    struct station s;
+    if (!model_find_beam(model, beam, where, err))
+        return HOBE_UNKNOWN;
+    find_station(model, beam, at, NULL, &s);
+    add_force(model, &s, 0, F, 1, r);
+    return HOBE_OK;
+}
+
+const struct hobe_force *load_follower(const struct hobe_model *model)
 {
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        struct station s;
-        if (!model_find_beam(model, force->beam, force->where, err))
+        if (force->follower)
+            return force;
+    }
+    return NULL;
+}
+
+enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
+{
+    static const double none[3];
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        if (load_at(model, force->beam, force->at, force->follower ? none : force->value,
+                    force->where, model->dead, err))
             return HOBE_UNKNOWN;
-        find_station(model, force->beam, force->at, NULL, &s);
-        if (!force->follower)
-            add_force(model, &s, 0, force->value, 1, model->dead);
     }
     for (size_t i = 0; i < model->moments.count; i++) {
         const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;

@@ -18,6 +18,15 @@ void load_subtract(const struct hobe_model *model, const double *u, double facto
 void load_inside(const struct hobe_model *model, const double *u, double factor,
                  const struct beam *beam, int e, double *f);
 
+/* Adds the force F, N, at a place of a beam to the forces on the vectors, r[vectors][3].
+ * HOBE_UNKNOWN with `where` for a beam that is not there. */
+enum hobe_status load_at(const struct hobe_model *model, const char *beam, double at,
+                         const double F[3], const char *where, double *r, struct hobe_error *err);
+
+/* Whether some load turns with the section, so that its stiffness is not symmetric: such a force,
+ * or NULL. */
+const struct hobe_force *load_follower(const struct hobe_model *model);
+
 /* Adds the 3 x 3 matrix block to the tangent's values at (v, w) of element e, where unknown. */
 void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
                  const double block[3][3], double *Ax);

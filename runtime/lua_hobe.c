@@ -280,7 +280,7 @@ const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"Scenes", hobe_lua_scene_entries, 0},
     {"Solving", hobe_lua_solve_entries, 0},
     {"Results", hobe_lua_result_methods, 1},
-    {"Vibration", hobe_lua_modal_entries, 0},
+    {"Vibration and buckling", hobe_lua_modal_entries, 0},
     {"Modes", hobe_lua_modes_methods, 1},
     {"One element", hobe_lua_kernel_entries, 0},
     {"Methods of an element", hobe_lua_kernel_methods, 1},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Natural frequencies and mode shapes as Lua sees them. */
+/* Natural frequencies, critical loads and their shapes as Lua sees them. */
 #include "lua_item.h"
 
 #include <string.h>
@@ -68,9 +68,23 @@ static int read_index(lua_State *L, const struct modes *modes, const char *name)
     return i - 1;
 }
 
-static struct hobe_mode read_mode(lua_State *L, const char *name)
+/* The modes, the first argument, which must be of one kind. */
+static const struct modes *read_modes(lua_State *L, const char *name, int buckling)
 {
     const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
+    struct hobe_modes_info info;
+    hobe_modes_info(modes->modes, &info);
+    if (info.buckling != buckling)
+        hobe_lua_fail(L,
+                      buckling ? "%s: modes of vibration have frequencies, not load factors"
+                               : "%s: modes of buckling have load factors, factor(i), no more",
+                      name);
+    return modes;
+}
+
+static struct hobe_mode read_mode(lua_State *L, const char *name)
+{
+    const struct modes *modes = read_modes(L, name, 0);
     struct hobe_mode mode;
     struct hobe_error err;
     lua_settop(L, 2);
@@ -101,9 +115,30 @@ static int effective_mass(lua_State *L)
     return hobe_lua_push_numbers(L, read_mode(L, "effective_mass").effective_mass, 3);
 }
 
+static int factor(lua_State *L)
+{
+    const struct modes *modes = read_modes(L, "factor", 1);
+    lua_settop(L, 2);
+    lua_pushnumber(L, hobe_modes_factor(modes->modes, read_index(L, modes, "factor")));
+    return 1;
+}
+
+static int factors(lua_State *L)
+{
+    const struct modes *modes = read_modes(L, "factors", 1);
+    struct hobe_modes_info info;
+    hobe_modes_info(modes->modes, &info);
+    lua_createtable(L, info.count, 0);
+    for (int i = 0; i < info.count; i++) {
+        lua_pushnumber(L, hobe_modes_factor(modes->modes, i));
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
 static int frequencies(lua_State *L)
 {
-    const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
+    const struct modes *modes = read_modes(L, "frequencies", 0);
     struct hobe_modes_info info;
     hobe_modes_info(modes->modes, &info);
     lua_createtable(L, info.count, 0);
@@ -148,8 +183,12 @@ const struct hobe_lua_entry hobe_lua_modes_methods[] = {
      NULL},
     {"shape", shape, "m:shape(i, beam, at [, y, z])",
      "`{u1, u2, u3}` of the i-th mode at a place, as `r:displacement` takes it, global axes, "
-     "normalised to modal mass 1 (phi' M phi = 1), so in 1/sqrt(kg).",
+     "normalised to modal mass 1 (phi' M phi = 1), so in 1/sqrt(kg); of buckling to phi' G phi = "
+     "-1 J, so in m.",
      NULL, NULL},
+    {"factor", factor, "m:factor(i)",
+     "Of buckling: the i-th critical factor of all loads, ascending.", NULL, NULL},
+    {"factors", factors, "m:factors()", "All of them in a list.", NULL, NULL},
     {"participation", participation, "m:participation(i)",
      "`{x, y, z}`: participation factors phi' M r in sqrt(kg), r the unit translation of the "
      "whole scene, supports included, along each global axis.",
@@ -169,54 +208,70 @@ struct options {
 
 static const struct hobe_lua_key modal_keys[] = {
     KEY(struct options, modes, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 10,
-        .doc = "how many, those of the smallest omega^2"),
+        .doc = "how many, those of the smallest omega^2, or the smallest critical loads"),
     KEY(struct options, state, KEY_RESULT,
         .doc = "a result of this scene, about whose equilibrium it vibrates (so that prestress "
-               "counts); the reference, without loads, where left out"),
+               "counts), or from which it buckles; the reference, without loads, where left out"),
     KEY(struct options, method, KEY_CHOICE, .choices = methods, .word = "auto",
         .doc = "LAPACK's dense solver, or Lanczos' method with shift and invert (ARPACK); by the "
                "size of the scene where left out"),
     {0}};
 
 static const struct hobe_lua_schema modal_schema = {"modal", modal_keys};
+static const struct hobe_lua_schema buckling_schema = {"buckling", modal_keys};
 
-static struct hobe_modal_options read_options(lua_State *L, const hobe_solution **state)
+static struct hobe_modal_options read_options(lua_State *L, const struct hobe_lua_schema *schema,
+                                              const hobe_solution **state)
 {
     struct options read = {0};
     if (lua_isnil(L, 2)) {
         lua_newtable(L);
         lua_replace(L, 2);
     }
-    hobe_lua_read(L, 2, &modal_schema, &read);
+    hobe_lua_read(L, 2, schema, &read);
     *state = read.state;
     return (struct hobe_modal_options){
         .modes = read.modes, .method = read.method ? (enum hobe_modal_method)(read.method - 1) : 0};
 }
 
-/* hobe.modal(scene, options) */
-static int modal(lua_State *L)
+typedef enum hobe_status find_modes(hobe_model *, const hobe_solution *,
+                                    const struct hobe_modal_options *, hobe_modes **,
+                                    struct hobe_error *);
+
+/* hobe.VERB(scene, options), VERB the schema's name. */
+static int find(lua_State *L, const struct hobe_lua_schema *schema, find_modes *verb)
 {
     lua_settop(L, 2);
     struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
     const hobe_solution *state;
     struct hobe_error err;
     if (!scene)
-        hobe_lua_fail(L, "modal must be given a scene, modal(hobe.scene{...}), got %s",
-                      hobe_lua_describe(L, 1));
-    const struct hobe_modal_options options = read_options(L, &state);
+        hobe_lua_fail(L, "%s must be given a scene, %s(hobe.scene{...}), got %s", schema->name,
+                      schema->name, hobe_lua_describe(L, 1));
+    const struct hobe_modal_options options = read_options(L, schema, &state);
     struct modes *modes = lua_newuserdatauv(L, sizeof *modes, 1);
     *modes = (struct modes){NULL, scene->model};
     hobe_lua_set_type(L, HOBE_LUA_MODES, finalize, hobe_lua_modes_methods, get_field);
     lua_pushvalue(L, 1);
     lua_setiuservalue(L, -2, 1);
     hobe_lua_pause_clock();
-    enum hobe_status status = hobe_modal(scene->model, state, &options, &modes->modes, &err);
+    enum hobe_status status = verb(scene->model, state, &options, &modes->modes, &err);
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
     if (hobe_modes_note(modes->modes))
         hobe_lua_note(L, "%s", hobe_modes_note(modes->modes));
     return 1;
+}
+
+static int modal(lua_State *L)
+{
+    return find(L, &modal_schema, hobe_modal);
+}
+
+static int buckling(lua_State *L)
+{
+    return find(L, &buckling_schema, hobe_buckling);
 }
 
 const struct hobe_lua_entry hobe_lua_modal_entries[] = {
@@ -226,4 +281,12 @@ const struct hobe_lua_entry hobe_lua_modal_entries[] = {
      "Returns a set of modes; its field `method` is the one that was used.  An unstable "
      "equilibrium is said in a note with the results.",
      &modal_schema, fields},
+    {"buckling", buckling, "hobe.buckling(scene [, {modes =, state =, method =}])",
+     "Linear buckling: the factors of all loads at which the stiffness of the reference, or of the "
+     "equilibrium of a result, becomes singular when stresses grow linearly; the smallest positive "
+     "ones.  Where loads move the scene much before it buckles, ask again from a result near the "
+     "critical load, or follow the path with `hobe.path`.  Returns a set of modes, for "
+     "`m:factor(i)`, `m:shape(...)` and pictures; "
+     "its mass is 0.",
+     &buckling_schema, fields},
     {0}};

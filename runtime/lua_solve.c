@@ -98,6 +98,10 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("cutbacks", solution.cutbacks, 'i', NULL, "steps that were given up and halved"),
     SOLVED("factorisations", solution.factorisations, 'i', NULL, "factorisations in all"),
     SOLVED("residual", solution.residual, 'd', NULL, "relative residual at the end"),
+    SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
+    SOLVED("negative", solution.negative, 'i', NULL,
+           "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "
+           "stable; -1: not counted"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
@@ -298,6 +302,35 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
     {0}};
 
+/* Pushes a result that is still empty, of the scene at index 1. */
+static struct result *new_result(lua_State *L, const hobe_model *model)
+{
+    struct result *result = lua_newuserdatauv(L, sizeof *result, 1);
+    *result = (struct result){NULL, model};
+    hobe_lua_set_type(L, HOBE_LUA_RESULT, finalize, hobe_lua_result_methods, get_field);
+    lua_pushvalue(L, 1);
+    lua_setiuservalue(L, -2, 1);
+    return result;
+}
+
+/* The scene and the table of options of a verb, the schema's name. */
+static struct hobe_lua_scene *read_arguments(lua_State *L, const struct hobe_lua_schema *schema,
+                                             void *options, size_t size)
+{
+    lua_settop(L, 2);
+    struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
+    if (!scene)
+        hobe_lua_fail(L, "%s must be given a scene, %s(hobe.scene{...}), got %s", schema->name,
+                      schema->name, hobe_lua_describe(L, 1));
+    if (lua_isnil(L, 2)) {
+        lua_newtable(L);
+        lua_replace(L, 2);
+    }
+    memset(options, 0, size);
+    hobe_lua_read(L, 2, schema, options);
+    return scene;
+}
+
 /* ---- statics -------------------------------------------------------------------------------- */
 
 struct options {
@@ -322,34 +355,15 @@ static const struct hobe_lua_key static_keys[] = {
 
 static const struct hobe_lua_schema static_schema = {"static", static_keys};
 
-static void read_options(lua_State *L, struct options *options)
-{
-    memset(options, 0, sizeof *options);
-    if (lua_isnil(L, 2)) {
-        lua_newtable(L);
-        lua_replace(L, 2);
-    }
-    hobe_lua_read(L, 2, &static_schema, options);
-    options->newton.no_line_search = !options->line_search;
-}
-
 /* hobe.static(scene, options) */
 static int solve_static(lua_State *L)
 {
-    lua_settop(L, 2);
-    struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
     struct options options;
+    struct hobe_lua_scene *scene = read_arguments(L, &static_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
-    if (!scene)
-        hobe_lua_fail(L, "static must be given a scene, static(hobe.scene{...}), got %s",
-                      hobe_lua_describe(L, 1));
-    read_options(L, &options);
-    struct result *result = lua_newuserdatauv(L, sizeof *result, 1);
-    *result = (struct result){NULL, scene->model};
-    hobe_lua_set_type(L, HOBE_LUA_RESULT, finalize, hobe_lua_result_methods, get_field);
-    lua_pushvalue(L, 1);
-    lua_setiuservalue(L, -2, 1);
+    options.newton.no_line_search = !options.line_search;
+    struct result *result = new_result(L, scene->model);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
     hobe_lua_pause_clock();
@@ -362,9 +376,153 @@ static int solve_static(lua_State *L)
     return 1;
 }
 
+/* ---- paths ---------------------------------------------------------------------------------- */
+
+struct path_options {
+    struct hobe_path_options path;
+    int log;
+};
+
+static const struct hobe_lua_key reach_keys[] = {
+    KEY(struct hobe_reach, beam, KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam"),
+    KEY(struct hobe_reach, at, KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),
+        .doc = "place, a fraction of the beam's length"),
+    KEY(struct hobe_reach, value, KEY_VECTOR, REQUIRED, .unit = "m",
+        .doc = "reached when the displacement has this component along this direction"),
+    {0}};
+
+static const struct hobe_lua_schema reach_schema = {"reach", reach_keys};
+
+#define PATH(name, field, kind, ...)                                                               \
+    KEY_AS(name, struct path_options, path.field, kind, __VA_ARGS__)
+
+static const struct hobe_lua_key path_keys[] = {
+    PATH("steps", steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 200, .doc = "steps at most"),
+    PATH("arc", arc, KEY_NUMBER, KEY_ABOVE(0), .fallback = 0.05,
+         .doc = "longest step: 1 is what the linear response to all loads would take"),
+    PATH("smallest_arc", smallest_arc, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
+         .doc = "share of it below which a step is not cut"),
+    PATH("to", to, KEY_NUMBER, .fallback = 1,
+         .doc = "load factor that ends the path, other than 0; the path starts towards it"),
+    PATH("reach", reach, KEY_GROUP, .group = &reach_schema,
+         .doc = "a displacement that ends the path"),
+    PATH("tolerance", newton.tolerance, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-9,
+         .doc = "residual to reach, relative to the load"),
+    PATH("max_iterations", newton.max_iterations, KEY_WHOLE, KEY_WITHIN(1, 1000), .fallback = 12,
+         .doc = "iterations of a step before it is cut"),
+    KEY(struct path_options, log, KEY_FLAG, .doc = "print each iteration on standard error"),
+    {0}};
+
+static const struct hobe_lua_schema path_schema = {"path", path_keys};
+
+struct path {
+    hobe_path *path;
+};
+
+static int finalize_path(lua_State *L)
+{
+    struct path *path = luaL_checkudata(L, 1, "hobe.path");
+    hobe_path_free(path->path);
+    path->path = NULL;
+    return 0;
+}
+
+static void set_number(lua_State *L, const char *key, double value)
+{
+    lua_pushnumber(L, value);
+    lua_setfield(L, -2, key);
+}
+
+/* Sets limit_points and bifurcations of the table on top, and says them in notes. */
+static void set_events(lua_State *L, const hobe_path *path)
+{
+    static const char *const lists[] = {"limit_points", "bifurcations"};
+    for (int kind = 0; kind < 2; kind++) {
+        lua_newtable(L);
+        for (int i = 0; hobe_path_event(path, i); i++) {
+            const struct hobe_path_event *event = hobe_path_event(path, i);
+            char text[300];
+            if (event->bifurcation != kind)
+                continue;
+            hobe_path_event_text(event, text, sizeof text);
+            hobe_lua_note(L, "%s", text);
+            lua_newtable(L);
+            set_number(L, "load", event->extreme);
+            set_number(L, "from", event->load[0]);
+            set_number(L, "to", event->load[1]);
+            set_number(L, "change", event->change);
+            lua_pushinteger(L, event->before + 1);
+            lua_setfield(L, -2, "after");
+            lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+        }
+        lua_setfield(L, -2, lists[kind]);
+    }
+}
+
+/* Pushes the list of results with the fields of the whole path. */
+static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
+{
+    static const char *const ends[] = {"load", "displacement", "steps"};
+    struct hobe_path_info info;
+    hobe_path_info(path, &info);
+    lua_createtable(L, info.points, 6);
+    for (int i = 0; i < info.points; i++) {
+        struct result *result = new_result(L, model);
+        result->solution = hobe_path_take(path, i);
+        lua_rawseti(L, -2, i + 1);
+    }
+    lua_pushstring(L, ends[info.end]);
+    lua_setfield(L, -2, "ended");
+    set_number(L, "solve_seconds", info.seconds);
+    lua_pushinteger(L, info.iterations);
+    lua_setfield(L, -2, "iterations");
+    lua_pushinteger(L, info.cutbacks);
+    lua_setfield(L, -2, "cutbacks");
+    set_events(L, path);
+    if (info.end == HOBE_PATH_STEPS)
+        hobe_lua_note(L, "the path ends after its %d steps, short of its end; give it more steps",
+                      info.points);
+}
+
+/* hobe.path(scene, options) */
+static int solve_path(lua_State *L)
+{
+    struct path_options options;
+    struct hobe_lua_scene *scene = read_arguments(L, &path_schema, &options, sizeof options);
+    struct watch watch;
+    struct hobe_error err;
+    if (options.path.to == 0)
+        hobe_lua_fail(L, "path: to must not be 0, where the path begins");
+    struct path *path = lua_newuserdatauv(L, sizeof *path, 0);
+    path->path = NULL;
+    hobe_lua_set_type(L, "hobe.path", finalize_path, NULL, get_field);
+    options.path.newton.log = watch_iteration;
+    options.path.newton.context = &watch;
+    hobe_lua_pause_clock();
+    begin_watch(&watch, hobe_lua_context(L), options.log);
+    enum hobe_status status = hobe_path_follow(scene->model, &options.path, &path->path, &err);
+    end_watch(&watch);
+    hobe_lua_resume_clock();
+    if (status)
+        hobe_lua_raise(L, &err);
+    push_path(L, path->path, scene->model);
+    return 1;
+}
+
 const struct hobe_lua_entry hobe_lua_solve_entries[] = {
     {"static", solve_static, "hobe.static(scene [, {steps =, ...}])",
      "Static equilibrium under all loads, from the reference: load steps with automatic "
      "cut-back, Newton's iteration with line search.  Returns a result.",
      &static_schema, fields},
+    {"path", solve_path, "hobe.path(scene [, {steps =, arc =, to =, reach =, ...}])",
+     "The equilibrium path from the reference through limit points, by arc length: the load factor "
+     "is found with the displacements.  Returns a list of results, `p[i].load` the load factor of "
+     "the i-th and `p[i].negative` its negative eigenvalues; and in it `ended`, what ended it: "
+     "`\"load\"`, `\"displacement\"` or `\"steps\"`; `iterations`, `cutbacks`, `solve_seconds`; "
+     "and "
+     "`limit_points` and `bifurcations`, lists of tables: `load`, the factor there; `from` and "
+     "`to`, those of the points before and after; `after`, the number of the point before; "
+     "`change`, of the negative eigenvalues.  They are said in notes, too.  At a bifurcation the "
+     "path goes on straight.",
+     &path_schema, NULL},
     {0}};

@@ -77,7 +77,7 @@ void hobe_model_free(hobe_model *model)
     hobe_free(model->unknown);
     hobe_free(model->held);
     hobe_free(model->dead);
-    hobe_free(model->work.u);
+    hobe_free(model->work.q0);
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
     hobe_free(model->note);
@@ -301,9 +301,10 @@ static enum hobe_status allocate_work(hobe_model *model, struct hobe_error *err)
     }
     const size_t blocks = 9 * V * (V + 1) / 2;
     struct workspace *w = &model->work;
-    w->u = hobe_alloc(6 * V + blocks + scratch, sizeof(hobe_lanes), err);
-    if (!w->u)
+    w->q0 = hobe_alloc(9 * V + blocks + scratch, sizeof(hobe_lanes), err);
+    if (!w->q0)
         return HOBE_NO_MEMORY;
+    w->u = w->q0 + 3 * V;
     w->f = w->u + 3 * V;
     w->K = w->f + 3 * V;
     w->scratch = w->K + blocks;

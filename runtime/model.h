@@ -34,7 +34,7 @@ struct pattern {
 };
 
 struct workspace { /* of one batch, large enough for every beam */
-    hobe_lanes *u, *f, *K, *scratch;
+    hobe_lanes *q0, *u, *f, *K, *scratch;
 };
 
 struct hobe_model {

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Static equilibrium: load steps, Newton's iteration with a consistent tangent, line search when
- * the plain iteration fails, and cut-back of the step when that fails too.
- *
- * Residuals are measured in the norm |D r|, D = diag(K_0)^(-1/2) at the reference, which gives
- * forces on positions and on slopes of any mode the same unit (root of energy); the tangent is
- * scaled by the same D before it is factored. */
+ * the plain iteration fails, and cut-back of the step when that fails too. */
+#include "newton.h"
+
 #include "assemble.h"
 #include "constraint.h"
 #include "load.h"
@@ -30,31 +28,14 @@ static const double DIVERGED = 1e12;
  * that has won every digit there is. */
 static const double ROUND_OFF = 8 * DBL_EPSILON;
 
-struct solver {
-    hobe_model *model;
-    struct hobe_newton options;
-    double *u;        /* [vectors][3] accepted state, then the one being found */
-    double *start;    /* state at the start of the step */
-    double *r;        /* [vectors][3] residual F - factor Q */
-    double *Ax;       /* tangent */
-    double *x;        /* [unknowns] right-hand side and correction */
-    double *scale;    /* [unknowns] D */
-    double load_norm; /* |D Q| at the reference */
-    struct hobe_solution_info info;
-    struct hobe_iteration now;
-    long singular;      /* column of a vanishing pivot */
-    const char *reason; /* why the last attempt failed */
-};
-
-static void log_line(struct solver *s, const char *note)
+void solver_log(struct solver *s, const char *note)
 {
     s->now.note = note;
     if (s->options.log)
         s->options.log(s->options.context, &s->now);
 }
 
-/* x = the entries of a vector field at the unknowns. */
-static void restrict_to_unknowns(const hobe_model *model, const double *field, double *x)
+void solver_restrict(const hobe_model *model, const double *field, double *x)
 {
     for (long v = 0; v < model->vectors; v++)
         if (model->unknown[v] >= 0)
@@ -62,17 +43,16 @@ static void restrict_to_unknowns(const hobe_model *model, const double *field, d
                 x[3 * model->unknown[v] + a] = field[3 * v + a];
 }
 
-/* u += factor x */
-static void add_correction(const hobe_model *model, const double *x, double factor, double *u)
+void solver_move(struct solver *s, const double *x, double factor)
 {
+    const hobe_model *model = s->model;
     for (long v = 0; v < model->vectors; v++)
         if (model->unknown[v] >= 0)
             for (int a = 0; a < 3; a++)
-                u[3 * v + a] += factor * x[3 * model->unknown[v] + a];
+                s->u[3 * v + a] += factor * x[3 * model->unknown[v] + a];
 }
 
-/* |D^p field| over the unknowns, p = 1 for forces, -1 for displacements; NaN where the field is. */
-static double scaled_norm(const struct solver *s, const double *field, int p)
+double solver_norm(const struct solver *s, const double *field, int p)
 {
     const hobe_model *model = s->model;
     double sum = 0;
@@ -98,8 +78,7 @@ static double work_of(const struct solver *s)
     return sum;
 }
 
-/* The residual in the current state; and the tangent when asked for. */
-static void evaluate(struct solver *s, double factor, int with_tangent)
+void solver_evaluate(struct solver *s, double factor, int with_tangent)
 {
     assemble(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
     constraint_add(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
@@ -108,24 +87,23 @@ static void evaluate(struct solver *s, double factor, int with_tangent)
 
 /* ---- one step -------------------------------------------------------------------------------- */
 
-enum outcome { CONVERGED, GOING_ON, FAILED, ERROR };
-
-/* Solves K dx = -r. */
-static enum outcome solve_correction(struct solver *s, struct hobe_error *err)
+enum outcome solver_factor(struct solver *s, struct hobe_error *err)
 {
     const enum hobe_status status =
         hobe_linsolve_factor(s->model->solver, s->Ax, s->scale, &s->singular, err);
     s->info.factorisations++;
-    if (status == HOBE_SINGULAR) {
-        log_line(s, "singular tangent");
-        return FAILED;
-    }
-    if (status)
-        return ERROR;
-    restrict_to_unknowns(s->model, s->r, s->x);
+    if (status == HOBE_SINGULAR)
+        solver_log(s, "singular tangent");
+    return status == HOBE_SINGULAR ? FAILED : status ? ERROR : CONVERGED;
+}
+
+enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,
+                              struct hobe_error *err)
+{
+    solver_restrict(s->model, field, x);
     for (long i = 0; i < 3 * s->model->unknowns; i++)
-        s->x[i] = -s->x[i];
-    return hobe_linsolve_solve(s->model->solver, s->x, err) ? ERROR : CONVERGED;
+        x[i] *= factor;
+    return hobe_linsolve_solve(s->model->solver, x, err);
 }
 
 /* Takes the correction, halved until the work of the residual along it has fallen. */
@@ -133,33 +111,32 @@ static void search_line(struct solver *s, double factor)
 {
     const double first = fabs(work_of(s));
     double taken = 1;
-    add_correction(s->model, s->x, 1, s->u);
-    evaluate(s, factor, 0);
+    solver_move(s, s->x, 1);
+    solver_evaluate(s, factor, 0);
     for (int cut = 0; cut < LINE_SEARCH_CUTS && !(fabs(work_of(s)) <= 0.9 * first); cut++) {
-        add_correction(s->model, s->x, -taken / 2, s->u);
+        solver_move(s, s->x, -taken / 2);
         taken /= 2;
-        evaluate(s, factor, 0);
+        solver_evaluate(s, factor, 0);
     }
     s->now.line = taken;
 }
 
-/* Whether the iteration is over, and how. */
-static enum outcome judge(struct solver *s, double norm, double last_norm)
+enum outcome solver_judge(struct solver *s, double norm, double last_norm)
 {
     s->now.residual = s->info.residual = norm / s->load_norm;
     if (s->now.residual <= s->options.tolerance) {
-        log_line(s, "converged");
+        solver_log(s, "converged");
         return CONVERGED;
     }
     if (!(s->now.residual < DIVERGED)) {
-        log_line(s, "diverged");
+        solver_log(s, "diverged");
         return FAILED;
     }
-    if (norm > 0.5 * last_norm && norm <= ROUND_OFF * scaled_norm(s, s->u, -1)) {
-        log_line(s, "converged to round-off");
+    if (norm > 0.5 * last_norm && norm <= ROUND_OFF * solver_norm(s, s->u, -1)) {
+        solver_log(s, "converged to round-off");
         return CONVERGED;
     }
-    log_line(s, "");
+    solver_log(s, "");
     return GOING_ON;
 }
 
@@ -171,15 +148,17 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
     s->now.load = factor;
     s->now.line = s->now.energy = 1;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
-        evaluate(s, factor, 1);
-        const double norm = scaled_norm(s, s->r, 1);
-        enum outcome outcome = judge(s, norm, last_norm);
+        solver_evaluate(s, factor, 1);
+        const double norm = solver_norm(s, s->r, 1);
+        enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
             return outcome;
         last_norm = norm;
-        outcome = solve_correction(s, err);
+        outcome = solver_factor(s, err);
         if (outcome != CONVERGED)
             return outcome;
+        if (solver_solve(s, s->r, -1, s->x, err))
+            return ERROR;
         s->info.iterations++;
         const double energy = fabs(work_of(s));
         first_energy = fmax(first_energy, energy);
@@ -187,9 +166,19 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
         if (line_search)
             search_line(s, factor);
         else
-            add_correction(s->model, s->x, 1, s->u);
+            solver_move(s, s->x, 1);
     }
-    log_line(s, "too many iterations");
+    solver_log(s, "too many iterations");
+    return FAILED;
+}
+
+enum outcome solver_check_volume(struct solver *s, struct hobe_error *err)
+{
+    if (solution_smallest_volume(s->model, s->u, &s->info.smallest_volume, err))
+        return ERROR;
+    if (s->info.smallest_volume > 0)
+        return CONVERGED;
+    solver_log(s, "turned inside out");
     return FAILED;
 }
 
@@ -202,13 +191,9 @@ static enum outcome attempt(struct solver *s, double factor, struct hobe_error *
         const enum outcome outcome = iterate(s, factor, line_search, err);
         if (outcome == ERROR)
             return ERROR;
-        if (outcome == CONVERGED) {
-            if (solution_smallest_volume(s->model, s->u, &s->info.smallest_volume, err))
-                return ERROR;
-            if (s->info.smallest_volume > 0)
-                return CONVERGED;
-            log_line(s, "turned inside out");
-        }
+        const enum outcome sound = outcome == CONVERGED ? solver_check_volume(s, err) : FAILED;
+        if (sound != FAILED)
+            return sound;
         s->reason = s->now.note;
         memcpy(s->u, s->start, size);
     }
@@ -217,8 +202,7 @@ static enum outcome attempt(struct solver *s, double factor, struct hobe_error *
 
 /* ---- steps ----------------------------------------------------------------------------------- */
 
-/* Where a singular tangent at the reference is free, in words. */
-static enum hobe_status name_free(const struct solver *s, struct hobe_error *err)
+enum hobe_status solver_name_free(const struct solver *s, struct hobe_error *err)
 {
     const hobe_model *model = s->model;
     for (size_t i = 0; i < model->beams.count && s->singular >= 0; i++) {
@@ -246,13 +230,13 @@ static enum hobe_status give_up(const struct solver *s, double reached, double t
                                 struct hobe_error *err)
 {
     if (reached == 0 && s->singular >= 0 && s->now.iteration == 0)
-        return name_free(s, err);
+        return solver_name_free(s, err);
     return hobe_fail(
         err, HOBE_NOT_CONVERGED, NULL,
         "no equilibrium found beyond %.4g of the load (at %.4g: %s, residual %.2g; "
         "%d steps, %d iterations, %d cut-backs); try a smaller load, a finer mesh, more "
         "steps, or a smaller smallest_step (now %g): past a limit point no static "
-        "solution may exist",
+        "solution may exist near by: follow the path with hobe.path",
         reached, tried, s->reason, s->now.residual, s->info.steps, s->info.iterations,
         s->info.cutbacks, s->options.smallest_step);
 }
@@ -274,7 +258,7 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
                 return give_up(s, reached, target, err);
             step /= 2;
             s->info.cutbacks++;
-            log_line(s, "step cut back");
+            solver_log(s, "step cut back");
             continue;
         }
         s->info.steps++;
@@ -288,9 +272,9 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 /* D = diag(K)^(-1/2) and the norm of the load, both at the reference. */
 static void set_scale(struct solver *s)
 {
-    evaluate(s, 1, 1);
+    solver_evaluate(s, 1, 1);
     pattern_scale(&s->model->pattern, s->Ax, s->scale);
-    s->load_norm = scaled_norm(s, s->r, 1); /* F = 0 at the reference */
+    s->load_norm = solver_norm(s, s->r, 1); /* F = 0 at the reference */
 }
 
 static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
@@ -305,7 +289,7 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     return s->u && s->start && s->r && s->Ax && s->x && s->scale ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
-static void release(struct solver *s)
+void solver_close(struct solver *s)
 {
     hobe_free(s->u);
     hobe_free(s->start);
@@ -327,44 +311,54 @@ static void set_defaults(struct hobe_newton *o)
         o->smallest_step = DEFAULT_SMALLEST_STEP;
 }
 
-/* Hands the state over to a new solution. */
-static enum hobe_status finish(struct solver *s, double started, hobe_solution **solution,
-                               struct hobe_error *err)
+enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct hobe_newton *options,
+                             struct hobe_error *err)
 {
-    *solution = hobe_alloc(1, sizeof **solution, err);
-    if (!*solution)
-        return HOBE_NO_MEMORY;
+    *s = (struct solver){.model = model, .options = *options, .singular = -1};
+    s->info.negative = -1;
+    set_defaults(&s->options);
+    const enum hobe_status status = allocate(s, err);
+    if (!status)
+        set_scale(s);
+    return status;
+}
+
+hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err)
+{
+    const size_t vectors = (size_t)(3 * s->model->vectors);
+    hobe_solution *solution = hobe_alloc(1, sizeof *solution, err);
+    double *u = solution ? hobe_alloc(vectors, sizeof *u, err) : NULL;
+    if (!u) {
+        hobe_free(solution);
+        return NULL;
+    }
     for (long v = 0; v < s->model->vectors; v++) /* joined vectors move together */
-        if (s->model->alias[v] != v)
-            memcpy(s->u + 3 * v, s->u + 3 * s->model->alias[v], 3 * sizeof *s->u);
-    s->info.energy = assemble_energy(s->model, s->u);
+        memcpy(u + 3 * v, s->u + 3 * s->model->alias[v], 3 * sizeof *u);
+    s->info.energy = assemble_energy(s->model, u);
     s->info.seconds = hobe_seconds() - started;
-    **solution = (struct hobe_solution){s->model, s->u, s->info};
-    s->u = NULL;
-    return HOBE_OK;
+    *solution = (struct hobe_solution){s->model, u, s->info};
+    return solution;
 }
 
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err)
 {
+    struct solver s;
     *solution = NULL;
     enum hobe_status status = hobe_model_build(model, err);
     if (status)
         return status;
     const double started = hobe_seconds();
-    struct solver s = {.model = model, .options = *options, .singular = -1};
-    set_defaults(&s.options);
-    status = allocate(&s, err);
+    status = solver_open(&s, model, options, err);
+    if (!status && s.load_norm > 0)
+        status = run_steps(&s, err);
+    else
+        s.info.load = s.info.smallest_volume = 1; /* no load: the reference is the answer */
     if (!status) {
-        set_scale(&s);
-        if (s.load_norm > 0)
-            status = run_steps(&s, err);
-        else
-            s.info.load = s.info.smallest_volume = 1; /* no load: the reference is the answer */
+        *solution = solver_take(&s, started, err);
+        status = *solution ? HOBE_OK : HOBE_NO_MEMORY;
     }
-    if (!status)
-        status = finish(&s, started, solution, err);
-    release(&s);
+    solver_close(&s);
     return status;
 }
 

@@ -96,7 +96,7 @@ static void load_dead(hobe_model *model)
     add_force(model, "beam", 1, 0, 1e5, -2e5);
 }
 
-static void load_follower(hobe_model *model)
+static void push_follower(hobe_model *model)
 {
     add_follower(model, "beam", 1, 0, 1e5, -2e5);
 }
@@ -310,7 +310,7 @@ int main(void)
     random_start();
     tangents();
     quadratic_convergence("dead force", load_dead);
-    quadratic_convergence("follower force", load_follower);
+    quadratic_convergence("follower force", push_follower);
     quadratic_convergence("moment", load_moment);
     moments_turn_with_the_beam();
     moments_by_axis();

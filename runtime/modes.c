@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "modes.h"
+
+#include "solution.h"
+
+#include <string.h>
+
+/* phi = D x on the unknowns, zero where held. */
+static void write_shapes(const struct pencil *s, hobe_modes *modes)
+{
+    const hobe_model *model = s->model;
+    for (int i = 0; i < modes->info.count; i++)
+        for (long v = 0; v < model->vectors; v++)
+            for (int a = 0; a < 3 && model->unknown[v] >= 0; a++) {
+                const long k = 3 * model->unknown[v] + a;
+                modes->shape[3 * (i * model->vectors + v) + a] = s->scale[k] * s->X[i * s->n + k];
+            }
+}
+
+hobe_modes *modes_take(struct pencil *s, int count, enum hobe_modal_method method,
+                       struct hobe_error *err)
+{
+    const size_t size = (size_t)(3 * s->model->vectors);
+    hobe_modes *modes = hobe_alloc(1, sizeof *modes, err);
+    if (!modes)
+        return NULL;
+    modes->model = s->model;
+    modes->mu = hobe_alloc((size_t)count, sizeof *modes->mu, err);
+    modes->shape = hobe_alloc((size_t)count * size, sizeof *modes->shape, err);
+    if (!modes->mu || !modes->shape) {
+        hobe_modes_free(modes);
+        return NULL;
+    }
+    modes->info = (struct hobe_modes_info){
+        .count = count, .buckling = s->buckling, .unknowns = s->n, .method = method};
+    pencil_orthonormalize(s, count);
+    memcpy(modes->mu, s->mu, (size_t)count * sizeof *modes->mu);
+    write_shapes(s, modes);
+    return modes;
+}
+
+void hobe_modes_free(hobe_modes *modes)
+{
+    if (!modes)
+        return;
+    hobe_free(modes->mu);
+    hobe_free(modes->shape);
+    hobe_free(modes);
+}
+
+const hobe_model *modes_model(const hobe_modes *modes)
+{
+    return modes->model;
+}
+
+void hobe_modes_info(const hobe_modes *modes, struct hobe_modes_info *info)
+{
+    *info = modes->info;
+}
+
+const char *hobe_modes_note(const hobe_modes *modes)
+{
+    return modes->note[0] ? modes->note : NULL;
+}
+
+const double *modes_shape(const hobe_modes *modes, int i, struct hobe_error *err)
+{
+    if (i >= 0 && i < modes->info.count)
+        return modes->shape + 3 * i * modes->model->vectors;
+    hobe_fail(err, HOBE_BAD_INPUT, NULL, "there is no mode %d among %d", i, modes->info.count);
+    return NULL;
+}
+
+enum hobe_status modes_displacement(const hobe_modes *modes, int i, const char *beam, double at,
+                                    double y, double z, double r0[3], double u[3],
+                                    struct hobe_error *err)
+{
+    const double *shape = modes_shape(modes, i, err);
+    if (!shape)
+        return HOBE_BAD_INPUT;
+    return solution_displacement(modes->model, shape, beam, at, y, z, r0, u, err);
+}
+
+enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *beam, double at,
+                                  double y, double z, double u[3], struct hobe_error *err)
+{
+    return modes_displacement(modes, i, beam, at, y, z, NULL, u, err);
+}

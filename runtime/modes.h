@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Modes as they are handed out: of vibration (modal.c) and of buckling (buckling.c). */
+#ifndef HOBE_MODES_H
+#define HOBE_MODES_H
+
+#include "pencil.h"
+
+struct hobe_modes {
+    const hobe_model *model;
+    struct hobe_modes_info info;
+    double *mu;    /* [count] omega^2 or the critical load factor */
+    double *shape; /* [count][vectors][3] */
+    char note[300];
+};
+
+/* The first `count` modes of a solved pencil, orthonormal; NULL with err set. */
+hobe_modes *modes_take(struct pencil *s, int count, enum hobe_modal_method method,
+                       struct hobe_error *err);
+
+/* The shape of mode i, [vectors][3], or NULL with err. */
+const double *modes_shape(const hobe_modes *modes, int i, struct hobe_error *err);
+
+#endif

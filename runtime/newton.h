@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the ways to equilibrium share: residual, tangent, correction and when to stop.  Between
+ * newton.c (load steps) and path.c (arc length) only.
+ *
+ * Residuals are measured in the norm |D r|, D = diag(K_0)^(-1/2) at the reference, which gives
+ * forces on positions and on slopes of any mode the same unit (root of energy); the tangent is
+ * scaled by the same D before it is factored. */
+#ifndef HOBE_NEWTON_H
+#define HOBE_NEWTON_H
+
+#include "model.h"
+
+struct solver {
+    hobe_model *model;
+    struct hobe_newton options;
+    double *u;        /* [vectors][3] accepted state, then the one being found */
+    double *start;    /* state at the start of the step */
+    double *r;        /* [vectors][3] residual F - factor Q */
+    double *Ax;       /* tangent */
+    double *x;        /* [unknowns] right-hand side and correction */
+    double *scale;    /* [unknowns] D */
+    double load_norm; /* |D Q| at the reference */
+    struct hobe_solution_info info;
+    struct hobe_iteration now;
+    long singular;      /* column of a vanishing pivot */
+    const char *reason; /* why the last attempt failed */
+};
+
+enum outcome { CONVERGED, GOING_ON, FAILED, ERROR };
+
+/* Memory, the scale and the load's norm at the reference, where s->u is left. */
+enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct hobe_newton *options,
+                             struct hobe_error *err);
+void solver_close(struct solver *s);
+
+/* One line of the log, with a note. */
+void solver_log(struct solver *s, const char *note);
+
+/* The residual in the current state; and the tangent when asked for. */
+void solver_evaluate(struct solver *s, double factor, int with_tangent);
+
+/* |D^p field| over the unknowns, p = 1 for forces, -1 for displacements; NaN where the field is. */
+double solver_norm(const struct solver *s, const double *field, int p);
+
+/* Whether the iteration is over, and how, by the residual's norm and the one before. */
+enum outcome solver_judge(struct solver *s, double norm, double last_norm);
+
+/* Factors of the tangent: CONVERGED, FAILED where it is singular, ERROR. */
+enum outcome solver_factor(struct solver *s, struct hobe_error *err);
+
+/* x = factor K^-1 field by the last factors. */
+enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,
+                              struct hobe_error *err);
+
+/* x = the entries of a vector field at the unknowns. */
+void solver_restrict(const hobe_model *model, const double *field, double *x);
+
+/* u += factor x */
+void solver_move(struct solver *s, const double *x, double factor);
+
+/* The volume of the converged state: FAILED where it is turned inside out. */
+enum outcome solver_check_volume(struct solver *s, struct hobe_error *err);
+
+/* A solution with a copy of the state; NULL with err set. */
+hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err);
+
+/* Says where the scene can move without resistance, by the column of a vanishing pivot. */
+enum hobe_status solver_name_free(const struct solver *s, struct hobe_error *err);
+
+#endif
