@@ -40,7 +40,10 @@ enum hobe_warping {
  * Its functions wy and wz are those of bending shear: psi_y with -div grad psi_y = y in the section
  * and no flux through its outline, made orthogonal to 1, y, z and w; wz from z alike, and to wy.
  * Their shear balances the growth of the axial stress E kappa y along a beam without coupling
- * to the transverse strains, as the element's elastic law has it. */
+ * to the transverse strains, as the element's elastic law has it.
+ *
+ * Solved outlines also have ww, v1y, v1z, v2y and v2z, by which an element's section distorts in
+ * torsion (distortion.h); they are solved when they are first asked for. */
 typedef struct hobe_section hobe_section;
 
 struct hobe_section_properties {
