@@ -10,7 +10,7 @@
 #include <string.h>
 
 enum {
-    FINENESS = 12,   /* of closed-form sections */
+    FINENESS = 6,    /* of closed-form sections */
     PER_SIZE = 64,   /* points of the swept outline for the diagonal of the section */
     STEPS = 240,     /* from end to end, shared by the elements of a beam, */
     MOST_STEPS = 48, /* at most and at least so many in one */

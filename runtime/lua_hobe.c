@@ -287,6 +287,7 @@ const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"Reports", hobe_lua_report_entries, 0},
     {"Tables and diagrams", hobe_lua_figure_entries, 0},
     {"Pictures", hobe_lua_picture_entries, 0},
+    {"Files for ParaView", hobe_lua_vtk_entries, 0},
     {0}};
 
 void hobe_lua_add_entries(lua_State *L, const struct hobe_lua_entry *entry)

@@ -39,6 +39,7 @@ extern const struct hobe_lua_entry hobe_lua_kernel_methods[];    /* lua_kernel.c
 extern const struct hobe_lua_entry hobe_lua_report_entries[];    /* lua_report.c */
 extern const struct hobe_lua_entry hobe_lua_figure_entries[];    /* lua_figure.c */
 extern const struct hobe_lua_entry hobe_lua_picture_entries[];   /* lua_picture.c */
+extern const struct hobe_lua_entry hobe_lua_vtk_entries[];       /* lua_vtk.c */
 
 /* Chapters of the module and of its reference, in order; the last has no title. */
 struct hobe_lua_chapter {

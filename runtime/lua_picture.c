@@ -159,7 +159,7 @@ static void check_item(lua_State *L, const char *function, const struct hobe_fie
 
 /* ---- drawing -------------------------------------------------------------------------------- */
 
-enum { FINENESS = 40 };                                   /* of closed-form sections */
+enum { FINENESS = 20 };                                   /* of closed-form sections */
 static const double DEPTH = 0.3;                          /* of the stub of a relief */
 static const double AMPLITUDE = 0.1;                      /* of modes and reliefs */
 static const char *const functions[] = {"w", "wy", "wz"}; /* in the order of the choices */

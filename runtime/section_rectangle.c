@@ -222,7 +222,7 @@ static enum hobe_status surface(const hobe_section *section, int fineness,
                                 struct hobe_surface *surface, struct hobe_error *err)
 {
     const struct rectangle *r = (const struct rectangle *)section;
-    const int n = fineness;
+    const int n = 2 * fineness;
     const enum hobe_status status = hobe_surface_grid(n, n, 0, surface, err);
     for (int p = 0; !status && p < surface->points; p++) {
         surface->point[p][1] = -r->width / 2 * cos(M_PI * (p % (n + 1)) / n);

@@ -123,10 +123,10 @@ static enum hobe_status surface(const hobe_section *section, int fineness,
                                 struct hobe_surface *surface, struct hobe_error *err)
 {
     const struct ring *ring = (const struct ring *)section;
-    const int turn = 8 * fineness;
-    const enum hobe_status status = hobe_surface_grid(fineness, turn, 1, surface, err);
+    const int rows = 2 * fineness, turn = 8 * rows;
+    const enum hobe_status status = hobe_surface_grid(rows, turn, 1, surface, err);
     for (int p = 0; !status && p < surface->points; p++) {
-        const double angle = 2 * M_PI * (p % turn) / turn, in = (double)(p / turn) / fineness;
+        const double angle = 2 * M_PI * (p % turn) / turn, in = (double)(p / turn) / rows;
         const double r = ring->outer + (ring->inner - ring->outer) * in;
         surface->point[p][1] = r * cos(angle);
         surface->point[p][2] = r * sin(angle);

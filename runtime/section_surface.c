@@ -5,6 +5,35 @@
 
 #include <string.h>
 
+/* The quarters of the triangle with corners n[0..2] and n[3..5] in the middle of its sides. */
+static void add_quarters(const int n[6], struct hobe_surface *s)
+{
+    hobe_surface_triangle(s, n[0], n[3], n[5]);
+    hobe_surface_triangle(s, n[3], n[1], n[4]);
+    hobe_surface_triangle(s, n[5], n[4], n[2]);
+    hobe_surface_triangle(s, n[3], n[4], n[5]);
+}
+
+void hobe_surface_quadratic(const struct hobe_surface *surface, int t, int n[6])
+{
+    const int(*quarter)[3] = (const int(*)[3])surface->triangle + 4 * t;
+    memcpy(n,
+           (int[]){quarter[0][0], quarter[1][1], quarter[2][2], quarter[3][0], quarter[3][1],
+                   quarter[3][2]},
+           6 * sizeof *n);
+}
+
+/* Both triangles of two by two cells, the first at row i and column j. */
+static void add_cells(int i, int j, int n, struct hobe_surface *s)
+{
+    int at[3][3];
+    for (int k = 0; k < 3; k++)
+        for (int l = 0; l < 3; l++)
+            at[k][l] = (i + k) * n + (j + l) % n;
+    add_quarters((const int[]){at[0][0], at[0][2], at[2][2], at[0][1], at[1][2], at[1][1]}, s);
+    add_quarters((const int[]){at[0][0], at[2][2], at[2][0], at[1][1], at[2][1], at[1][0]}, s);
+}
+
 enum hobe_status hobe_surface_grid(int rows, int columns, int wrapped, struct hobe_surface *surface,
                                    struct hobe_error *err)
 {
@@ -13,12 +42,9 @@ enum hobe_status hobe_surface_grid(int rows, int columns, int wrapped, struct ho
     if (hobe_surface_grow(surface, (rows + 1) * n, 2 * rows * columns, edges, err))
         return HOBE_NO_MEMORY;
     surface->points = (rows + 1) * n;
-    for (int i = 0; i < rows; i++)
-        for (int j = 0; j < columns; j++) {
-            const int a = i * n + j, b = i * n + (j + 1) % n;
-            hobe_surface_triangle(surface, a, b, b + n);
-            hobe_surface_triangle(surface, a, b + n, a + n);
-        }
+    for (int i = 0; i < rows; i += 2)
+        for (int j = 0; j < columns; j += 2)
+            add_cells(i, j, n, surface);
     for (int j = 0; j < columns; j++)
         hobe_surface_edge(surface, j, (j + 1) % n);
     for (int j = 0; j < columns; j++)
@@ -61,10 +87,7 @@ static void fill(const struct hobe_mesh *mesh, int *side, struct hobe_surface *s
         memcpy(s->point[s->points++] + 1, mesh->node[i], sizeof mesh->node[i]);
     for (int t = 0; t < mesh->triangles; t++) {
         const int *n = mesh->triangle[t];
-        hobe_surface_triangle(s, n[0], n[3], n[5]);
-        hobe_surface_triangle(s, n[3], n[1], n[4]);
-        hobe_surface_triangle(s, n[5], n[4], n[2]);
-        hobe_surface_triangle(s, n[3], n[4], n[5]);
+        add_quarters(n, s);
         for (int k = 0; k < 3; k++)
             if (side[n[3 + k]] > 0)
                 add_side(n, k, s);

@@ -8,9 +8,9 @@
 
 /* Both fill an empty surface.
  *
- * A grid of rows x columns cells with its boundary as edges, points still zero: point (i, j) is
- * number i * n + j, n = columns + 1.  `wrapped`: column n - 1 would be column 0 again, n = columns.
- * Normals are along +x where j counts along y and i along z. */
+ * A grid of rows x columns cells, both even, with its boundary as edges, points still zero: point
+ * (i, j) is number i * n + j, n = columns + 1.  `wrapped`: column n - 1 would be column 0 again, n
+ * = columns. Normals are along +x where j counts along y and i along z. */
 enum hobe_status hobe_surface_grid(int rows, int columns, int wrapped, struct hobe_surface *surface,
                                    struct hobe_error *err);
 

@@ -35,8 +35,9 @@ double hobe_surface_scale(const struct hobe_surface *surface, double fraction);
 /* A section in its plane (one that varies along the beam: that at its start): points (0, y, z), the
  * triangles' normals along +x, edges along its outline with the material on their left, then those
  * between the parts of a composite one; values 0.
- * Outlines have the triangles of their mesh, each split in four; rectangles and rings a grid of
- * `fineness` (>= 1) cells along a side or an eighth of a turn. */
+ * Triangles come in fours, the quarters of a quadratic one (hobe_surface_quadratic).  Outlines have
+ * those of their mesh; rectangles and rings a grid of 2 `fineness` (>= 1) cells along a side, or an
+ * eighth of a turn. */
 enum hobe_status hobe_section_surface(const hobe_section *section, int fineness,
                                       struct hobe_surface *surface, struct hobe_error *err);
 
@@ -45,6 +46,10 @@ enum hobe_status hobe_section_surface(const hobe_section *section, int fineness,
 enum hobe_status hobe_section_field(const hobe_section *section, const char *function, int fineness,
                                     double depth, struct hobe_surface *surface,
                                     struct hobe_error *err);
+
+/* The t-th of the quadratic triangles of a section, of triangles/4: its corners, then the middles
+ * of sides 01, 12, 20. */
+void hobe_surface_quadratic(const struct hobe_surface *surface, int t, int n[6]);
 
 /* ---- of beams (beam_surface.c) --------------------------------------------------------------- */
 

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures of a relief, a state and a mode in which the n-th allocation fails, for n = 1, 2, ...
- * until one gets through: each time it ends with "out of memory", and leaks nothing (the sanitizer
- * looks). */
+/* Pictures of a relief, a state and a mode, and a file of a solid, in which the n-th allocation
+ * fails, for n = 1, 2, ... until one gets through: each time it ends with "out of memory", and
+ * leaks nothing (the sanitizer looks). */
 #include "check.h"
+#include "output_vtk.h"
 #include "picture.h"
 #include "scene.h"
 
 #include <stdio.h>
 
-enum { KINDS = 3 };
+enum { KINDS = 4 };
 
 struct scene {
     hobe_section *section;
@@ -35,6 +36,18 @@ static enum hobe_status draw(const struct scene *scene, int kind, struct hobe_te
     return status;
 }
 
+static enum hobe_status write_solid(const struct scene *scene, struct hobe_text *text,
+                                    struct hobe_error *err)
+{
+    struct hobe_solid solid;
+    const enum hobe_status status = hobe_solution_solid(scene->solution, &solid, err);
+    if (status)
+        return status;
+    hobe_vtk_solid(&solid, text);
+    hobe_solid_free(&solid);
+    return hobe_text_check(text, err);
+}
+
 static void fail_each(const struct scene *scene, int kind)
 {
     long n = 0, seen;
@@ -42,7 +55,8 @@ static void fail_each(const struct scene *scene, int kind)
         struct hobe_error err = {0};
         struct hobe_text png = {0};
         hobe_fail_allocation(++n);
-        const enum hobe_status status = draw(scene, kind, &png, &err);
+        const enum hobe_status status =
+            kind == 3 ? write_solid(scene, &png, &err) : draw(scene, kind, &png, &err);
         seen = hobe_fail_allocation(0);
         if (seen >= n)
             check_that(status == HOBE_NO_MEMORY && err.status == HOBE_NO_MEMORY,

@@ -195,12 +195,12 @@ static hobe_section *sections(int i, const char **name)
     *name = names[i];
     return made[i];
 }
-enum { SECTIONS = 6, FINENESS = 20 };
+enum { SECTIONS = 6, FINENESS = 10 };
 
 /* The polygon of 8 n corners has sin(t)/t of the circle's area, t = pi/(4 n). */
 static double share(int i)
 {
-    const double t = M_PI / (4 * FINENESS);
+    const double t = M_PI / (8 * FINENESS);
     return i == 1 || i == 2 ? sin(t) / t : 1;
 }
 
@@ -354,7 +354,7 @@ static void check_pictures(void)
     hobe_section *section = rectangle(1, 1);
     struct hobe_error err;
     struct hobe_surface surface;
-    if (hobe_section_field(section, "w", 40, 0, &surface, &err))
+    if (hobe_section_field(section, "w", 20, 0, &surface, &err))
         check_stop("%s", err.message);
     const struct hobe_panel panel = {.surface = &surface};
     const struct hobe_picture picture = {.field = "w",
