@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Files for ParaView: well-formed XML whose arrays have the lengths they announce and finite numbers.
+# Files for ParaView: well-formed XML whose arrays have the lengths they announce, all finite.
 #
 # From ctest: HOBE, the program; HOBE_PYTHON.
 set -u
