@@ -14,6 +14,7 @@
 #include "load.h"
 #include "newton.h"
 #include "solution.h"
+#include "vector3.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -51,14 +52,6 @@ struct follower {
     int symmetric, turned; /* no follower forces; the load turned on the last step */
     double started;
 };
-
-static double dot(long n, const double *a, const double *b)
-{
-    double sum = 0;
-    for (long i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
 
 /* c.u over the unknowns */
 static double along(const struct follower *f, const double *c, const double *u)
@@ -400,7 +393,8 @@ static enum hobe_status start(struct follower *f, struct hobe_error *err)
     if (outcome == ERROR || solve_load(f, err))
         return err ? err->status : HOBE_NO_MEMORY;
     for (long v = 0; v < model->beam_vectors; v++)
-        for (long i = 3 * model->unknown[v]; i >= 0 && i < 3 * model->unknown[v] + 3; i++) {
+        for (int a = 0; a < 3 && model->unknown[v] >= 0; a++) {
+            const long i = 3 * model->unknown[v] + a;
             f->W[i] = 1 / (s->scale[i] * s->scale[i]);
         }
     for (long i = 0; i < f->n; i++)
@@ -418,7 +412,7 @@ static enum hobe_status open_reach(struct follower *f, struct hobe_error *err)
 {
     const struct hobe_reach *reach = &f->options.reach;
     const double *value = reach->value;
-    const double length = sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
+    const double length = length3(value);
     if (!reach->beam)
         return HOBE_OK;
     if (!(length > 0) || !isfinite(length) || !(reach->at >= 0 && reach->at <= 1))

@@ -8,6 +8,7 @@
 #include "load.h"
 #include "pattern.h"
 #include "solution.h"
+#include "vector3.h"
 
 #include <math.h>
 #include <string.h>

@@ -32,14 +32,6 @@ static inline long values(const struct pencil *s)
     return s->model->pattern.Ap[s->n];
 }
 
-static inline double dot(long n, const double *a, const double *b)
-{
-    double sum = 0;
-    for (long i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* Memory for the matrices, and the state's displacements in u.  HOBE_BAD_INPUT where the state is
  * another model's, or holds follower forces, whose stiffness is not symmetric: said of `what`. */
 enum hobe_status pencil_open(struct pencil *s, const char *what, struct hobe_error *err);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Vectors of three. */
+/* Vectors of three, and the product of longer ones. */
 #ifndef HOBE_VECTOR3_H
 #define HOBE_VECTOR3_H
 
@@ -8,6 +8,14 @@
 static inline double dot3(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline double dot(long n, const double *a, const double *b)
+{
+    double sum = 0;
+    for (long i = 0; i < n; i++)
+        sum += a[i] * b[i];
+    return sum;
 }
 
 static inline double length3(const double a[3])

@@ -25,8 +25,15 @@ local scene = hobe.scene{
 }
 local r = hobe.static(scene)
 local m = hobe.modal(scene, { modes = 2 })
+local arm = hobe.scene{
+  hobe.beam{ name = "a", elements = 2, section = section, material = material,
+             from = {0, 0, 0}, to = {1, 0, 0} },
+  hobe.clamp{ "a", at = 0 }, hobe.force{ "a", at = 1, value = {-100, 0, 10} },
+}
+local path = hobe.path(arm, { arc = 0.5, reach = { "a", at = 1, value = {0, 0, 1} } })
 local element = hobe.kernel{ element = "BE24", section = section, material = material, length = 1 }
 hobe.report{ u = r:displacement("b", 1)[3], U = element:energy(element:reference()),
+             P = hobe.buckling(arm, { modes = 1 }):factor(1), W = path[1].energy,
              f = m:frequencies()[2], v = m:shape(1, "b", 1)[3],
              A = hobe.outline{ file = "corner.csv" }.A }
 hobe.picture{ file = "a.png", width = 300, sections = { { section, "a" } } }

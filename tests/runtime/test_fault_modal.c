@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Modal analysis in which the n-th allocation fails, for n = 1, 2, ... until it gets through: each
- * time it ends with "out of memory", and leaks nothing (the sanitizer looks).  Dense, by Lanczos'
- * method, and with a corner. */
+/* Modal analysis, buckling and paths in which the n-th allocation fails, for n = 1, 2, ... until it
+ * gets through: each time it ends with "out of memory", and leaks nothing (the sanitizer looks).
+ * Dense, by Lanczos' method, and with a corner; a path to its load and to a displacement. */
 #include "check.h"
 #include "scene.h"
 
@@ -18,13 +18,19 @@ static hobe_model *two_arms(hobe_section *section, int corner)
     beam.to[2] = corner;
     add_beam(model, &beam);
     add_join(model, "beam", 1, "second", 0);
+    add_force(model, "second", 1, -1e4, 0, 2e3);
     return model;
 }
 
-static enum hobe_status go(hobe_model *model, enum hobe_modal_method method, double *omega,
-                           struct hobe_error *err)
+/* What is tried gives one number to compare. */
+typedef enum hobe_status trial(hobe_model *model, int variant, double *number,
+                               struct hobe_error *err);
+
+static enum hobe_status vibrate(hobe_model *model, int method, double *omega,
+                                struct hobe_error *err)
 {
-    const struct hobe_modal_options options = {.modes = 3, .method = method};
+    const struct hobe_modal_options options = {.modes = 3,
+                                               .method = (enum hobe_modal_method)method};
     hobe_modes *modes;
     struct hobe_mode mode;
     enum hobe_status status = hobe_modal(model, NULL, &options, &modes, err);
@@ -36,27 +42,59 @@ static enum hobe_status go(hobe_model *model, enum hobe_modal_method method, dou
     return status;
 }
 
-static void fail_each(int corner, enum hobe_modal_method method)
+static enum hobe_status buckle(hobe_model *model, int method, double *factor,
+                               struct hobe_error *err)
+{
+    const struct hobe_modal_options options = {.modes = 1,
+                                               .method = (enum hobe_modal_method)method};
+    hobe_modes *modes;
+    const enum hobe_status status = hobe_buckling(model, NULL, &options, &modes, err);
+    check_that(!modes == (status != HOBE_OK), "modes are there when they are found");
+    *factor = status ? 0 : hobe_modes_factor(modes, 0);
+    hobe_modes_free(modes);
+    return status;
+}
+
+static enum hobe_status follow(hobe_model *model, int reach, double *load, struct hobe_error *err)
+{
+    struct hobe_path_options options = {.arc = 0.3, .to = 0.6};
+    hobe_path *path;
+    struct hobe_solution_info info = {0};
+    struct hobe_path_info all;
+    if (reach)
+        options.reach = (struct hobe_reach){NULL, "second", 1, {0, 0, 0.003}};
+    const enum hobe_status status = hobe_path_follow(model, &options, &path, err);
+    check_that(!path == (status != HOBE_OK), "a path is there when it is found");
+    if (!status) {
+        hobe_path_info(path, &all);
+        hobe_solution_info(hobe_path_point(path, all.points - 1), &info);
+        check_that((int)all.end == reach, "it ends where it should");
+    }
+    *load = info.load;
+    hobe_path_free(path);
+    return status;
+}
+
+static void fail_each(trial *try, int corner, int variant)
 {
     struct hobe_error err = {0};
-    double expected, omega;
+    double expected, number;
     long n = 0, made;
     hobe_section *section = rectangle(0.05, 0.1);
     hobe_model *model = two_arms(section, corner);
-    if (go(model, method, &expected, &err)) /* the model is built here */
+    if (try(model, variant, &expected, &err)) /* the model is built here */
         check_stop("%s", err.message);
     do {
         hobe_fail_allocation(++n);
-        const enum hobe_status status = go(model, method, &omega, &err);
+        const enum hobe_status status = try(model, variant, &number, &err);
         made = hobe_fail_allocation(0);
         if (made >= n)
             check_that(status == HOBE_NO_MEMORY && err.status == HOBE_NO_MEMORY,
-                       "allocation %ld of method %d: status %d, %s", n, method, status,
+                       "allocation %ld of variant %d: status %d, %s", n, variant, status,
                        err.message);
         else
-            check_that(status == HOBE_OK && omega == expected,
-                       "nothing failed: status %d, omega %.17g, before %.17g", status, omega,
-                       expected);
+            check_that(status == HOBE_OK && number == expected,
+                       "nothing failed: status %d, %.17g, before %.17g", status, number, expected);
     } while (made >= n && n < 1000);
     check_that(n > 10 && n < 1000, "allocations were counted: %ld", n);
     printf("%ld allocations failed in turn\n", n - 1);
@@ -66,8 +104,12 @@ static void fail_each(int corner, enum hobe_modal_method method)
 
 int main(void)
 {
-    fail_each(0, HOBE_MODAL_DENSE);
-    fail_each(0, HOBE_MODAL_LANCZOS);
-    fail_each(1, HOBE_MODAL_LANCZOS);
+    fail_each(vibrate, 0, HOBE_MODAL_DENSE);
+    fail_each(vibrate, 0, HOBE_MODAL_LANCZOS);
+    fail_each(vibrate, 1, HOBE_MODAL_LANCZOS);
+    fail_each(buckle, 0, HOBE_MODAL_DENSE);
+    fail_each(buckle, 1, HOBE_MODAL_LANCZOS);
+    fail_each(follow, 0, HOBE_PATH_LOAD);
+    fail_each(follow, 1, HOBE_PATH_DISPLACEMENT);
     return check_report();
 }
