@@ -59,12 +59,10 @@ static enum hobe_status add_section(const struct sampling *s, const struct beam 
 {
     const hobe_section *section = beam->spec.section;
     struct hobe_solid *to = s->solid;
-    struct hobe_surface face;
+    struct hobe_surface face = {0};
     struct stress_section stress;
     enum hobe_status status = hobe_section_surface_at(section, at, FINENESS, &face, err);
-    if (status)
-        return status;
-    if (s->stressed)
+    if (!status && s->stressed)
         status = stress_section(s->solution, beam->name, at, &stress, err);
     for (int i = 0; !status && i < face.points; i++) {
         const double y = face.point[i][1], z = face.point[i][2];
@@ -103,12 +101,11 @@ static enum hobe_status add_beam(const struct sampling *s, const struct beam *be
                                  struct hobe_error *err)
 {
     const int layers = LAYERS * beam->spec.elements, first = s->solid->points;
-    struct hobe_surface face;
-    enum hobe_status status = hobe_section_surface(beam->spec.section, FINENESS, &face, err);
-    if (status)
-        return status;
+    struct hobe_surface face = {0};
+    enum hobe_status status = hobe_section_surface_at(beam->spec.section, 0, FINENESS, &face, err);
     const int triangles = face.triangles / 4, size = face.points;
-    status = make_room(s, (2 * layers + 1) * size, layers * triangles, err);
+    if (!status)
+        status = make_room(s, (2 * layers + 1) * size, layers * triangles, err);
     for (int k = 0; !status && k <= 2 * layers; k++)
         status = add_section(s, beam, (double)k / (2 * layers), err);
     for (int c = 0; !status && c < layers * triangles; c++) {

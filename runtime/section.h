@@ -71,8 +71,8 @@ enum hobe_status hobe_section_function_at(const hobe_section *section, const cha
                                           const struct hobe_section_place *place, double y,
                                           double z, double *f, struct hobe_error *err);
 
-/* The surface of hobe_section_surface at a fraction of the beam's length, numbered alike along it.
- */
+/* The surface of hobe_section_surface at a fraction of the beam's length, numbered alike along it:
+ * fills an empty one, which the caller frees even after a failure. */
 enum hobe_status hobe_section_surface_at(const hobe_section *section, double at, int fineness,
                                          struct hobe_surface *surface, struct hobe_error *err);
 

@@ -149,17 +149,41 @@ static void curved(const char *element)
     hobe_curve_free(curve);
 }
 
-int main(void)
+static hobe_section *I(double height)
 {
     struct hobe_error err;
     const struct hobe_profile_sizes sizes = {
-        .height = 0.2, .width = 0.1, .flange = 0.015, .web = 0.01};
+        .height = height, .width = 0.1, .flange = 0.015, .web = 0.01};
+    return hobe_section_profile(HOBE_PROFILE_I, &sizes, HOBE_WARPING_SOLVED, &err);
+}
+
+/* An I-beam of growing height, whose mesh follows it: the area is linear. */
+static void tapering(void)
+{
+    hobe_section *section = tapered(I(0.16), I(0.24));
+    const struct hobe_beam beam = beam_along_x("MGD30", 1, section, 1e9, 0.3, 2);
+    hobe_model *model = cantilever(&beam, 0);
+    hobe_solution *solution = solve(model, 1);
+    struct hobe_solid solid = solid_of(solution);
+    /* the height goes through interpolation of the outline along the beam, to 1e-9 */
+    check_relative(volume(&solid, 0, "taper"), 2 * (2 * 0.1 * 0.015 + 0.17 * 0.01), 1e-8,
+                   "taper: volume");
+    hobe_solid_free(&solid);
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
+int main(void)
+{
+    struct hobe_error err;
     stretched(rectangle(0.1, 0.2), 1e-8, "rectangle");
-    stretched(hobe_section_profile(HOBE_PROFILE_I, &sizes, HOBE_WARPING_SOLVED, &err), 1e-8, "I");
+    stretched(I(0.2), 1e-8, "I");
     /* sides are parabolas through points of the circle, an angle of pi/24 each: pi^4/24^4/30 */
     stretched(hobe_section_circle(0.1, &err), 2e-5, "circle");
     stretched(hobe_section_tube(0.1, 0.08, &err), 2e-5, "tube");
     curved("MGD30w");
     curved("3333s");
+    tapering();
     return check_report();
 }
