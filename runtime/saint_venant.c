@@ -152,99 +152,21 @@ void hobe_extension_free(struct hobe_extension *x)
 
 /* ---- the fields anywhere -------------------------------------------------------------------- */
 
-static void evaluate(const struct hobe_mesh *mesh, int triangle, const double *values,
-                     const double L[3], double (*f)[4])
+void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values,
+                      const struct hobe_mesh_place *place, double (*f)[4])
 {
+    const int *node = mesh->triangle[place->triangle];
     double N[NODES], dN[NODES][2];
-    shape(mesh, triangle, L, N, dN);
+    shape(mesh, place->triangle, place->L, N, dN);
     for (int k = 0; k < HOBE_SECTION_FUNCTIONS; k++) {
         f[k][0] = f[k][1] = f[k][2] = 0;
         for (int i = 0; i < NODES; i++) {
-            const double value = values[k * mesh->nodes + mesh->triangle[triangle][i]];
+            const double value = values[k * mesh->nodes + node[i]];
             f[k][0] += N[i] * value;
             f[k][1] += dN[i][0] * value;
             f[k][2] += dN[i][1] * value;
         }
     }
-}
-
-/* The point of the triangle nearest to p as barycentric L; returns its distance. */
-static double approach(const struct hobe_mesh *mesh, int triangle, const double p[2], double L[3])
-{
-    const int *n = mesh->triangle[triangle];
-    const double twice = 2 * area(mesh, triangle);
-    double nearest = INFINITY, raw[3];
-    for (int i = 0; i < 3; i++) {
-        const double *b = mesh->node[n[(i + 1) % 3]], *c = mesh->node[n[(i + 2) % 3]];
-        raw[i] = ((b[0] - p[0]) * (c[1] - p[1]) - (b[1] - p[1]) * (c[0] - p[0])) / twice;
-    }
-    if (raw[0] >= 0 && raw[1] >= 0 && raw[2] >= 0) {
-        memcpy(L, raw, sizeof raw);
-        return 0;
-    }
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3;
-        const double *a = mesh->node[n[i]], *b = mesh->node[n[j]];
-        const double e[2] = {b[0] - a[0], b[1] - a[1]};
-        const double along = ((p[0] - a[0]) * e[0] + (p[1] - a[1]) * e[1]);
-        const double t = fmin(1, fmax(0, along / (e[0] * e[0] + e[1] * e[1])));
-        const double d = hypot(a[0] + t * e[0] - p[0], a[1] + t * e[1] - p[1]);
-        if (d < nearest) {
-            nearest = d;
-            L[0] = L[1] = L[2] = 0;
-            L[i] = 1 - t;
-            L[j] = t;
-        }
-    }
-    return nearest;
-}
-
-/* Square of the distance from p to the triangle's box: no more than that to the triangle. */
-static double box_distance(const struct hobe_mesh *mesh, int triangle, const double p[2])
-{
-    const int *n = mesh->triangle[triangle];
-    const double *a = mesh->node[n[0]], *b = mesh->node[n[1]], *c = mesh->node[n[2]];
-    double square = 0;
-    for (int k = 0; k < 2; k++) {
-        const double ab = a[k] < b[k] ? a[k] : b[k], low = ab < c[k] ? ab : c[k];
-        const double ba = a[k] > b[k] ? a[k] : b[k], high = ba > c[k] ? ba : c[k];
-        const double off = p[k] < low ? low - p[k] : p[k] > high ? p[k] - high : 0;
-        square += off * off;
-    }
-    return square;
-}
-
-/* The triangle that is nearest to (y, z), and its nearest point as barycentric `best`. */
-static int nearest_triangle(const struct hobe_mesh *mesh, double y, double z, double best[3])
-{
-    const double p[2] = {y, z};
-    double nearest = INFINITY, L[3];
-    int triangle = 0;
-    for (int t = 0; t < mesh->triangles && nearest > 0; t++) {
-        if (box_distance(mesh, t, p) > nearest * nearest)
-            continue;
-        const double d = approach(mesh, t, p, L);
-        if (d < nearest) {
-            nearest = d;
-            triangle = t;
-            memcpy(best, L, sizeof L);
-        }
-    }
-    return triangle;
-}
-
-void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double y, double z,
-                      double (*f)[4])
-{
-    double L[3] = {1, 0, 0};
-    const int triangle = nearest_triangle(mesh, y, z, L);
-    evaluate(mesh, triangle, values, L, f);
-}
-
-int hobe_mesh_region(const struct hobe_mesh *mesh, double y, double z)
-{
-    double L[3];
-    return mesh->region[nearest_triangle(mesh, y, z, L)];
 }
 
 enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *values,
@@ -255,14 +177,14 @@ enum hobe_status hobe_mesh_rule(const struct hobe_mesh *mesh, const double *valu
         return HOBE_NO_MEMORY;
     for (int i = 0; i < points; i++) {
         struct hobe_section_point *at = rule->point + i;
-        const int t = i / POINTS;
-        double L[3], p[2];
-        at->weight = area(mesh, t) * cubature(i % POINTS, L);
-        place(mesh, t, L, p);
+        struct hobe_mesh_place here = {.triangle = i / POINTS};
+        double p[2];
+        at->weight = area(mesh, here.triangle) * cubature(i % POINTS, here.L);
+        place(mesh, here.triangle, here.L, p);
         at->y = p[0];
         at->z = p[1];
-        at->region = mesh->region[t];
-        evaluate(mesh, t, values, L, at->f);
+        at->region = mesh->region[here.triangle];
+        hobe_mesh_fields(mesh, values, &here, at->f);
     }
     return HOBE_OK;
 }

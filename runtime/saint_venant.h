@@ -32,13 +32,9 @@ enum hobe_status hobe_extension_apply(const struct hobe_extension *extension, do
                                       struct hobe_error *err);
 void hobe_extension_free(struct hobe_extension *extension);
 
-/* f[HOBE_SECTION_FUNCTIONS][4]: the fields of such nodal values and their gradients at (y, z);
- * beyond the outline those of the nearest point. */
-void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values, double y, double z,
-                      double (*f)[4]);
-
-/* The region of the triangle there, or of the nearest one. */
-int hobe_mesh_region(const struct hobe_mesh *mesh, double y, double z);
+/* f[HOBE_SECTION_FUNCTIONS][4]: the fields of such nodal values and their gradients at a place. */
+void hobe_mesh_fields(const struct hobe_mesh *mesh, const double *values,
+                      const struct hobe_mesh_place *place, double (*f)[4]);
 
 /* Cubature over the mesh with the fields as section functions: exact for their squares, those of
  * their gradients and polynomials of degree 4 in y and z. */

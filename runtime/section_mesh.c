@@ -515,6 +515,8 @@ enum hobe_status hobe_mesh_outlines(int parts, const struct hobe_outline *outlin
             status = run(&job, mesh, err);
         pthread_mutex_unlock(&lock);
     }
+    if (!status)
+        status = hobe_mesh_set_index(mesh, err);
     for (int k = 0; k < job.parts; k++)
         hobe_free(job.part[k].corner);
     hobe_free(job.part);
@@ -528,9 +530,12 @@ enum hobe_status hobe_mesh_copy(const struct hobe_mesh *from, struct hobe_mesh *
                                 struct hobe_error *err)
 {
     const size_t n = (size_t)from->nodes, t = (size_t)from->triangles;
-    *to = (struct hobe_mesh){from->nodes, from->triangles, hobe_alloc(n, sizeof *to->node, err),
+    *to = (struct hobe_mesh){from->nodes,
+                             from->triangles,
+                             hobe_alloc(n, sizeof *to->node, err),
                              hobe_alloc(t, sizeof *to->triangle, err),
-                             hobe_alloc(t, sizeof *to->region, err)};
+                             hobe_alloc(t, sizeof *to->region, err),
+                             NULL};
     if (!to->node || !to->triangle || !to->region) {
         hobe_mesh_free(to);
         return HOBE_NO_MEMORY;
@@ -558,5 +563,6 @@ void hobe_mesh_free(struct hobe_mesh *mesh)
     hobe_free(mesh->node);
     hobe_free(mesh->triangle);
     hobe_free(mesh->region);
+    hobe_mesh_free_index(mesh);
     *mesh = (struct hobe_mesh){0};
 }

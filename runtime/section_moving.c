@@ -216,9 +216,10 @@ static void moving_functions(const void *here, double y, double z, double (*f)[4
 {
     const struct here *h = here;
     double rate[HOBE_SECTION_FUNCTIONS][4], velocity[HOBE_SECTION_FUNCTIONS][4];
-    hobe_mesh_fields(&h->mesh, h->functions, y, z, f);
-    hobe_mesh_fields(&h->mesh, h->rates, y, z, rate);
-    hobe_mesh_fields(&h->mesh, h->velocities, y, z, velocity);
+    const struct hobe_mesh_place place = hobe_mesh_find(&h->mesh, y, z);
+    hobe_mesh_fields(&h->mesh, h->functions, &place, f);
+    hobe_mesh_fields(&h->mesh, h->rates, &place, rate);
+    hobe_mesh_fields(&h->mesh, h->velocities, &place, velocity);
     set_rates(f, rate, velocity);
 }
 

@@ -171,12 +171,13 @@ static void parts_warping(const struct hobe_parts *parts, double y, double z, do
 static void functions(const hobe_section *section, int paper, double y, double z, double (*f)[4])
 {
     const struct shape *s = (const struct shape *)section;
-    hobe_mesh_fields(&s->mesh, s->values, y, z, f);
+    const struct hobe_mesh_place place = hobe_mesh_find(&s->mesh, y, z);
     const double *distortion = owner(s)->distortion;
+    hobe_mesh_fields(&s->mesh, s->values, &place, f);
     if (distortion) {
         double more[HOBE_DISTORTIONS][4];
         for (int part = 0; part < HOBE_DISTORTIONS; part += HOBE_SECTION_FUNCTIONS)
-            hobe_mesh_fields(&s->mesh, distortion + part * s->mesh.nodes, y, z, more + part);
+            hobe_mesh_fields(&s->mesh, distortion + part * s->mesh.nodes, &place, more + part);
         memcpy(f + HOBE_SECTION_FUNCTIONS, more,
                (HOBE_ALL_FUNCTIONS - HOBE_SECTION_FUNCTIONS) * sizeof *more);
     }
@@ -186,7 +187,8 @@ static void functions(const hobe_section *section, int paper, double y, double z
 
 static int region_at(const hobe_section *section, double y, double z)
 {
-    return hobe_mesh_region(&((const struct shape *)section)->mesh, y, z);
+    const struct hobe_mesh *mesh = &((const struct shape *)section)->mesh;
+    return mesh->region[hobe_mesh_find(mesh, y, z).triangle];
 }
 
 /* Whatever the fineness: the mesh is as fine as w needs. */
