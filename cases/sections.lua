@@ -6,6 +6,8 @@
 -- Thin-wall theory (Bredt for closed walls, sum of b t^3/3 for open ones, Vlasov for Iw and shear
 -- centres) takes walls for lines: a few percent off where they are thick.  Shear factors ky, kz are
 -- those of the shear's energy without Poisson's coupling: 6/7 of a circle, 1/2 of a thin tube.
+-- A cantilever that is free to warp everywhere twists by M L/(G J) under an end moment: GJ_* is the
+-- moment over the twist, from the beam alone, over G times the section's J; both hold the same w.
 local hobe = require "hobe"
 
 local I = hobe.I{ height = 0.215, width = 0.1, flange = 0.015, web = 0.01 }
@@ -58,7 +60,23 @@ local function closed(make, sizes)
   local s = make(sizes)
   return s.J_w / s.J
 end
+local function twisted(section)
+  local E, nu, L, M = 210e9, 0.3, 1, 1                 -- Pa, m, N m: a small angle
+  local r = hobe.static(hobe.scene{
+    hobe.beam{
+      name = "shaft", element = "MGD30w", elements = 4, section = section,
+      material = { E = E, nu = nu }, from = {0, 0, 0}, to = {L, 0, 0},
+    },
+    hobe.clamp{ "shaft", at = 0, warping = "free" },
+    hobe.moment{ "shaft", at = 1, value = {M, 0, 0} },
+  })
+  return M * L / r:twist("shaft", 1) / (E / (2 * (1 + nu)) * section.J)
+end
+
 hobe.report{
+  GJ_I      = { twisted(I),      expect = 1, within = 1e-6 },
+  GJ_hollow = { twisted(hollow), expect = 1, within = 1e-6 },
+  GJ_box    = { twisted(box),    expect = 1, within = 1e-6 },
   J_I      = { I.J,      "m^4", expect = 2.7715e-7,  within = 3e-3 },
   J_hollow = { hollow.J, "m^4", expect = 1.05066e-5, within = 3e-3 },
   J_box    = { box.J,    "m^4", expect = 4.272e-6,   within = 3e-3 },
