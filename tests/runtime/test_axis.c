@@ -212,6 +212,35 @@ static void straight_beam(const char *element)
     hobe_section_free(equal);
 }
 
+static enum hobe_status quarter_turn(void *context, double at, double *phi, struct hobe_error *err)
+{
+    (void)context, (void)at, (void)err;
+    *phi = M_PI / 2;
+    return HOBE_OK;
+}
+
+/* Width and height exchanged, and the section turned back by the curve: the same beam, but for
+ * rounding times the condition of the stiffness. */
+static void turned_section(void)
+{
+    const double ends[2][3] = {{0, 0, 0}, {2, 0, 0}}, F[3] = {-2e4, 1e5, -1e5};
+    hobe_section *upright = rectangle(0.1, 0.2), *flat = rectangle(0.2, 0.1);
+    struct hobe_error err = {0};
+    hobe_curve *line = hobe_curve_points(2, ends, &err);
+    struct hobe_beam beam = heavy(beam_along_x("MGD30w", 4, upright, E, NU, 2));
+    struct hobe_mode first[2];
+    const struct hobe_point plain = tip_under(&beam, F, first);
+    check_that(line && !hobe_curve_twist(line, quarter_turn, NULL, &err), "%s", err.message);
+    beam.curve = line;
+    beam.section = flat;
+    const struct hobe_point turned = tip_under(&beam, F, first + 1);
+    check_absolute(distance(turned.u, plain.u), 0, 1e-9 * norm(plain.u), "turned section: u");
+    check_relative(first[1].omega2, first[0].omega2, 1e-9, "turned section: frequency");
+    hobe_curve_free(line);
+    hobe_section_free(upright);
+    hobe_section_free(flat);
+}
+
 /* A cantilever on the helix whose section varies. */
 struct helical {
     struct helix shape;
@@ -526,6 +555,7 @@ int main(void)
         straight_beam(names[i]);
         tangents(names[i]);
     }
+    turned_section();
     rigid_motion(1, 1e-11);
     rigid_motion(1e6, 1e-8);
     laws();
