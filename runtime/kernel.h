@@ -87,7 +87,7 @@ struct hobe_section_rule {
  * own: the whole section (mechanics `average`), or the axis alone (mechanics `axis`, the paper's
  * selective integration).  Normal order xx, yy, zz; shear order yz, xz, xy, conjugate to
  * engineering strains 2 eps.  Pa.  Strains are on the axes of the section in the reference: e_x
- * along the axis, e_y and e_z as near to r_y and r_z as can be. */
+ * along the axis, e_y the part of r_y normal to it, e_z = e_x x e_y. */
 struct hobe_elasticity {
     double normal[3][3], shear[3];
 };

@@ -285,8 +285,12 @@ static int gravity(lua_State *L)
 }
 
 const struct hobe_lua_entry hobe_lua_item_entries[] = {
-    {"beam", beam, "hobe.beam{name =, element =, elements =, section =, material =, from =, to =}",
-     "A beam of elements of equal length on a straight or curved axis.", &beam_schema, NULL},
+    {"beam", beam,
+     "hobe.beam{name =, element =, elements =, section =, material =, from =, to =, twist =} or "
+     "hobe.beam{..., curve =, twist =}",
+     "A beam of elements of equal length on a straight or curved axis, on which its section can "
+     "turn.",
+     &beam_schema, NULL},
     {"clamp", clamp, "hobe.clamp{\"beam\", at =}", "Holds a node of a beam in place and direction.",
      &clamp_schema, NULL},
     {"join", join, "hobe.join{\"a\", \"b\", at = {1, 0}}",
