@@ -109,6 +109,14 @@ void add_moment(hobe_model *model, const char *beam, double at, double x, double
     expect_ok(hobe_model_moment(model, &moment, &err), &err);
 }
 
+hobe_element *new_element(const struct hobe_element_options *options)
+{
+    struct hobe_error err;
+    hobe_element *element = hobe_element_new(options, &err);
+    expect_ok(element ? HOBE_OK : err.status, &err);
+    return element;
+}
+
 hobe_model *cantilever(const struct hobe_beam *beam, int free_warping)
 {
     hobe_model *model = new_model();

@@ -19,6 +19,8 @@ hobe_curve *curve_of(hobe_function *point, hobe_function *twist, void *context);
 struct hobe_beam beam_along_x(const char *element, int elements, const hobe_section *section,
                               double E, double nu, double length);
 
+hobe_element *new_element(const struct hobe_element_options *options);
+
 /* A model with the beam, clamped at 0. */
 hobe_model *cantilever(const struct hobe_beam *beam, int free_warping);
 

@@ -77,13 +77,6 @@ static double *numbers(int n)
 
 /* ---- the general path of an element against the prismatic one -------------------------------- */
 
-static hobe_element *element_of(const struct hobe_element_options *options)
-{
-    struct hobe_error err;
-    hobe_element *element = hobe_element_new(options, &err);
-    return element ? element : (check_stop("%s", err.message), NULL);
-}
-
 static double worst(int n, const double *a, const double *b)
 {
     double difference = 0, size = 0;
@@ -135,9 +128,9 @@ static void one_kernel(const struct hobe_kernel *kernel, enum hobe_integration i
                                            .length = 0.5,
                                            .integration = integration};
     double *q0 = numbers(3 * kernel->vectors), Q[3][3];
-    hobe_element *straight = element_of(&options);
+    hobe_element *straight = new_element(&options);
     options.section = taper;
-    hobe_element *tapers = element_of(&options);
+    hobe_element *tapers = new_element(&options);
     check_that(!hobe_element_q0(straight) && hobe_element_q0(tapers), "%s: paths", kernel->name);
     hobe_element_reference(straight, identity, q0);
     compare(tapers, straight, q0, "taper of equal ends");
@@ -146,7 +139,7 @@ static void one_kernel(const struct hobe_kernel *kernel, enum hobe_integration i
     options.q0 = q0;
     for (int i = 0; i < 2; i++) {
         options.section = i ? taper : plain;
-        hobe_element *general = element_of(&options);
+        hobe_element *general = new_element(&options);
         compare(general, straight, q0, i ? "taper on a line" : "line");
         hobe_element_free(general);
     }

@@ -260,9 +260,7 @@ static void beams(void)
         const struct hobe_element_options options = {
             .kernel = hobe_find_kernel(kernels[k], &err), .section = section, .length = 1};
         double C[HOMOGENEOUS][HOMOGENEOUS];
-        hobe_element *element = hobe_element_new(&options, &err);
-        if (!element)
-            check_stop("%s", err.message);
+        hobe_element *element = new_element(&options);
         homogeneous_stiffness(element, C);
         hobe_element_free(element);
         check_relative(C[STRETCH][STRETCH], soft.E * .1 * .1 + STEEL.E * .2 * .03, 1e-9, "EA, %s",

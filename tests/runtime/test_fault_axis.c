@@ -2,10 +2,7 @@
 /* A scene with a beam that is curved, and tapered, while the n-th of the library's own allocations
  * fails, n = 1, 2, ...: each time "out of memory", and nothing is leaked (the sanitizer looks). */
 #include "check.h"
-#include "hobe.h"
-
-#include <stdio.h>
-#include <string.h>
+#include "fault.h"
 
 static enum hobe_status circle_at(void *context, double t, const hobe_section **section,
                                   struct hobe_error *err)
@@ -26,28 +23,28 @@ static enum hobe_status arc(void *context, double t, double *r, struct hobe_erro
 }
 
 struct run {
+    int tapered;
     hobe_section *circle, *section;
     hobe_curve *curve;
     hobe_model *model;
     hobe_solution *solution;
 };
 
-static enum hobe_status open_axis(struct run *run, int tapered, int curved, struct hobe_error *err)
+static enum hobe_status open_axis(struct run *run, struct hobe_error *err)
 {
-    run->section =
-        tapered ? hobe_section_taper(circle_at, &run->circle, err) : hobe_section_circle(0.1, err);
-    if (!run->section)
-        return err->status;
-    run->curve = curved ? hobe_curve_function(arc, NULL, err) : NULL;
-    return run->curve || !curved ? HOBE_OK : err->status;
+    run->section = run->tapered ? hobe_section_taper(circle_at, &run->circle, err)
+                                : hobe_section_circle(0.1, err);
+    if (run->section)
+        run->curve = hobe_curve_function(arc, NULL, err);
+    return run->curve ? HOBE_OK : err->status;
 }
 
-static enum hobe_status go(struct run *run, int tapered, int curved, struct hobe_error *err)
+static enum hobe_status bend(struct run *run, struct hobe_error *err)
 {
     const struct hobe_clamp clamp = {.beam = "beam", .at = 0};
     const struct hobe_force force = {.beam = "beam", .at = 0.7, .value = {10, 20, 30}};
     struct hobe_point point;
-    enum hobe_status status = open_axis(run, tapered, curved, err);
+    enum hobe_status status = open_axis(run, err);
     if (status)
         return status;
     run->model = hobe_model_new(err);
@@ -80,30 +77,17 @@ static void close_run(struct run *run)
     hobe_section_free(run->circle);
 }
 
-static void fails(int tapered, int curved, const char *what)
+static enum hobe_status go(void *tapered, struct hobe_error *err)
 {
-    long n = 0, seen;
-    do {
-        struct run run = {0};
-        struct hobe_error err = {0};
-        hobe_fail_allocation(++n);
-        const enum hobe_status status = go(&run, tapered, curved, &err);
-        seen = hobe_fail_allocation(0);
-        if (seen >= n)
-            check_that(status == HOBE_NO_MEMORY && err.status == HOBE_NO_MEMORY &&
-                           strncmp(err.message, "out of memory", 13) == 0,
-                       "%s, allocation %ld of %ld: %s", what, n, seen, err.message);
-        else
-            check_that(!status, "%s: nothing failed: %s", what, err.message);
-        close_run(&run);
-    } while (seen >= n && n < 3000);
-    check_that(n > 50 && n < 3000, "%s: %ld allocations", what, n - 1);
-    printf("%s: %ld allocations\n", what, n - 1);
+    struct run run = {.tapered = *(const int *)tapered};
+    const enum hobe_status status = bend(&run, err);
+    close_run(&run);
+    return status;
 }
 
 int main(void)
 {
-    fails(0, 1, "curved");
-    fails(1, 1, "tapered and curved");
+    for (int tapered = 0; tapered < 2; tapered++)
+        fail_each_allocation(go, &tapered, 50, 3000, tapered ? "tapered and curved" : "curved");
     return check_report();
 }

@@ -2,10 +2,9 @@
 /* Sections of every kind, and an element of a composite one, while the n-th of the library's own
  * allocations fails, n = 1, 2, ... */
 #include "check.h"
-#include "hobe.h"
+#include "fault.h"
 
 #include <stdio.h>
-#include <string.h>
 
 enum { KINDS = 6 };
 
@@ -22,7 +21,7 @@ static hobe_section *composite(struct hobe_error *err)
     return made;
 }
 
-static hobe_section *make(int kind, struct hobe_error *err)
+static hobe_section *section_of(int kind, struct hobe_error *err)
 {
     static const double corner[6][2] = {{0, 0}, {3, 0}, {3, 2}, {1, .5}, {2, .5}, {2, 1}};
     static const struct hobe_profile_sizes sizes = {
@@ -46,77 +45,49 @@ static hobe_section *make(int kind, struct hobe_error *err)
     }
 }
 
-static void check_failure(int made, long n, long seen, const struct hobe_error *err,
-                          const char *what)
+static enum hobe_status make(void *kind, struct hobe_error *err)
 {
-    if (seen >= n)
-        check_that(!made && err->status == HOBE_NO_MEMORY &&
-                       strncmp(err->message, "out of memory", 13) == 0,
-                   "%s, allocation %ld of %ld: %s", what, n, seen, err->message);
-    else
-        check_that(made, "nothing failed: %s", err->message);
-}
-
-static void sections(int kind)
-{
-    char what[20];
-    long n = 0, seen;
-    snprintf(what, sizeof what, "kind %d", kind);
-    do {
-        struct hobe_error err = {0};
-        hobe_fail_allocation(++n);
-        hobe_section *section = make(kind, &err);
-        seen = hobe_fail_allocation(0);
-        check_failure(section != NULL, n, seen, &err, what);
-        hobe_section_free(section);
-    } while (seen >= n && n < 100);
-    printf("%s: %ld allocations\n", what, n - 1);
-}
-
-/* An element whose section has materials and mean strains of its own. */
-static void composite_element(void)
-{
-    struct hobe_error err = {0};
-    hobe_section *section = composite(&err);
-    if (!section)
-        check_stop("%s", err.message);
-    const struct hobe_element_options options = {
-        .kernel = hobe_find_kernel("MGD30w3", &err), .section = section, .length = 4};
-    long n = 0, seen;
-    do {
-        err = (struct hobe_error){0};
-        hobe_fail_allocation(++n);
-        hobe_element *element = hobe_element_new(&options, &err);
-        seen = hobe_fail_allocation(0);
-        check_failure(element != NULL, n, seen, &err, "composite element");
-        hobe_element_free(element);
-    } while (seen >= n && n < 100);
+    hobe_section *section = section_of(*(const int *)kind, err);
+    const enum hobe_status status = section ? HOBE_OK : err->status;
     hobe_section_free(section);
+    return status;
 }
 
-/* The functions of distortion, asked for of a section that is solved. */
-static void distortion(void)
+static enum hobe_status element_on(void *section, struct hobe_error *err)
 {
-    long n = 0, seen;
-    do {
-        struct hobe_error err = {0};
-        double f[3];
-        hobe_section *section = hobe_section_hollow(2, 1, .2, HOBE_WARPING_SOLVED, &err);
-        if (!section)
-            check_stop("%s", err.message);
-        hobe_fail_allocation(++n);
-        const enum hobe_status status = hobe_section_function(section, "v1y", .9, .4, f, &err);
-        seen = hobe_fail_allocation(0);
-        check_failure(status == HOBE_OK, n, seen, &err, "distortion");
-        hobe_section_free(section);
-    } while (seen >= n && n < 100);
+    const struct hobe_element_options options = {
+        .kernel = hobe_find_kernel("MGD30w3", err), .section = section, .length = 4};
+    hobe_element *element = hobe_element_new(&options, err);
+    const enum hobe_status status = element ? HOBE_OK : err->status;
+    hobe_element_free(element);
+    return status;
+}
+
+/* The functions of distortion, which are solved when they are asked for first. */
+static enum hobe_status distortion_of(void *section, struct hobe_error *err)
+{
+    double f[3];
+    return hobe_section_function(section, "v1y", .9, .4, f, err);
 }
 
 int main(void)
 {
-    for (int kind = 0; kind < KINDS; kind++)
-        sections(kind);
-    composite_element();
-    distortion();
+    struct hobe_error err;
+    for (int kind = 0; kind < KINDS; kind++) {
+        char what[20];
+        snprintf(what, sizeof what, "kind %d", kind);
+        fail_each_allocation(make, &kind, 1, 100, what);
+    }
+    /* an element whose section has materials and mean strains of its own */
+    hobe_section *section = composite(&err);
+    if (!section)
+        check_stop("%s", err.message);
+    fail_each_allocation(element_on, section, 10, 100, "composite element");
+    hobe_section_free(section);
+    section = hobe_section_hollow(2, 1, .2, HOBE_WARPING_SOLVED, &err);
+    if (!section)
+        check_stop("%s", err.message);
+    fail_each_allocation(distortion_of, section, 10, 100, "distortion");
+    hobe_section_free(section);
     return check_report();
 }

@@ -353,11 +353,8 @@ static void average_factors(void)
             beam.material.average_shear = average;
             const struct hobe_element_options options = {
                 .kernel = beam.kernel, .section = section, .material = beam.material, .length = .1};
-            struct hobe_error err;
             double C[HOMOGENEOUS][HOMOGENEOUS];
-            hobe_element *element = hobe_element_new(&options, &err);
-            if (!element)
-                check_stop("%s", err.message);
+            hobe_element *element = new_element(&options);
             homogeneous_stiffness(element, C);
             hobe_element_free(element);
             const struct tip tip = tip_under_force(&beam);
