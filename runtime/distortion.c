@@ -120,9 +120,9 @@ static void solve3(double A[RIGID][RIGID], double b[RIGID])
         b[k] /= A[k][k];
 }
 
-/* int E r_i . r_j dA, and the polar moment. */
-static double rigid_gram(const hobe_section *section, const struct hobe_mesh *mesh,
-                         double A[RIGID][RIGID])
+/* A_ij = int E r_i . r_j dA. */
+static void rigid_gram(const hobe_section *section, const struct hobe_mesh *mesh,
+                       double A[RIGID][RIGID])
 {
     memset(A, 0, sizeof(double[RIGID][RIGID]));
     for (int g = 0; g < POINTS * mesh->triangles; g++) {
@@ -134,14 +134,13 @@ static double rigid_gram(const hobe_section *section, const struct hobe_mesh *me
             for (int j = 0; j < RIGID; j++)
                 A[i][j] += p.weight * p.E * (r[i][0] * r[j][0] + r[i][1] * r[j][1]);
     }
-    return A[2][2];
 }
 
 struct plane {
     const hobe_section *section;
     const struct hobe_mesh *mesh;
     const double *w, *centre;
-    double A[RIGID][RIGID], polar;
+    double A[RIGID][RIGID]; /* of the rigid motions; the last is the polar moment */
     double c[LOADS][RIGID]; /* the rigid part of each load, E sum c_i r_i */
     double size[LOADS];     /* int |load|^2 dA without and ... */
     double whole[LOADS];    /* ... with its rigid part */
@@ -168,12 +167,11 @@ static void set_rigid_parts(struct plane *s)
     }
 }
 
-/* The balanced load l at a point. */
-static void balanced(const struct plane *s, const struct point *p, double b[LOADS][2])
+/* Takes the rigid part out of the loads at a point. */
+static void balance(const struct plane *s, const struct point *p, double b[LOADS][2])
 {
     double r[RIGID][2];
     rigid(p, r);
-    loads(p, s->w, s->centre, b);
     for (int l = 0; l < LOADS; l++)
         for (int i = 0; i < RIGID; i++)
             for (int a = 0; a < 2; a++)
@@ -229,8 +227,9 @@ static void assemble(struct plane *s, struct hobe_mesh_matrix *K, double *x)
         struct point p;
         double b[LOADS][2], whole[LOADS][2];
         set_point(s->section, s->mesh, g / POINTS, g % POINTS, &p);
-        balanced(s, &p, b);
         loads(&p, s->w, s->centre, whole);
+        memcpy(b, whole, sizeof b);
+        balance(s, &p, b);
         add_stiffness(s, &p, K);
         for (int l = 0; l < LOADS; l++)
             for (int a = 0; a < 2; a++) {
@@ -285,7 +284,7 @@ static void keep(const struct plane *s, int l, const double *x, double *v)
         square += orthogonalise(s, v + a * nodes);
     }
     for (int i = 0; i < 2 * nodes; i++)
-        v[i] *= loaded && square > 0 ? sqrt(s->polar / square) : 0;
+        v[i] *= loaded && square > 0 ? sqrt(s->A[2][2] / square) : 0;
 }
 
 static enum hobe_status solve_plane(struct plane *s, double *v, struct hobe_error *err)
@@ -320,7 +319,7 @@ enum hobe_status hobe_distortion(const hobe_section *section, const struct hobe_
     const size_t nodes = (size_t)mesh->nodes;
     struct plane s = {.section = section, .mesh = mesh, .w = w, .centre = centre};
     memset(values, 0, HOBE_DISTORTIONS * nodes * sizeof *values);
-    s.polar = rigid_gram(section, mesh, s.A);
+    rigid_gram(section, mesh, s.A);
     set_rigid_parts(&s);
     const enum hobe_status status = solve_axial(section, mesh, w, values, err);
     if (status)

@@ -126,18 +126,7 @@ enum hobe_status hobe_modal(hobe_model *model, const hobe_solution *state,
                             const struct hobe_modal_options *options, hobe_modes **modes,
                             struct hobe_error *err)
 {
-    struct hobe_modal_options o = *options;
-    struct pencil s = {.model = model, .state = state};
-    *modes = NULL;
-    enum hobe_status status = hobe_model_build(model, err);
-    if (status)
-        return status;
-    const double started = hobe_seconds();
-    status = solve(&s, &o, modes, err);
-    pencil_close(&s);
-    if (!status)
-        (*modes)->info.seconds = hobe_seconds() - started;
-    return status;
+    return modes_find(&(struct pencil){.model = model, .state = state}, options, solve, modes, err);
 }
 
 enum hobe_status hobe_modes_mode(const hobe_modes *modes, int i, struct hobe_mode *mode,

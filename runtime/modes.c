@@ -39,6 +39,22 @@ hobe_modes *modes_take(struct pencil *s, int count, enum hobe_modal_method metho
     return modes;
 }
 
+enum hobe_status modes_find(struct pencil *s, const struct hobe_modal_options *options,
+                            modes_solver *solve, hobe_modes **modes, struct hobe_error *err)
+{
+    struct hobe_modal_options o = *options;
+    *modes = NULL;
+    enum hobe_status status = hobe_model_build(s->model, err);
+    if (status)
+        return status;
+    const double started = hobe_seconds();
+    status = solve(s, &o, modes, err);
+    pencil_close(s);
+    if (!status)
+        (*modes)->info.seconds = hobe_seconds() - started;
+    return status;
+}
+
 void hobe_modes_free(hobe_modes *modes)
 {
     if (!modes)

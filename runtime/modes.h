@@ -17,6 +17,14 @@ struct hobe_modes {
 hobe_modes *modes_take(struct pencil *s, int count, enum hobe_modal_method method,
                        struct hobe_error *err);
 
+/* Finds the modes of a pencil; the options are a copy of the caller's. */
+typedef enum hobe_status modes_solver(struct pencil *s, struct hobe_modal_options *options,
+                                      hobe_modes **modes, struct hobe_error *err);
+
+/* Builds the pencil's model, has its modes found, timed, and closes the pencil. */
+enum hobe_status modes_find(struct pencil *s, const struct hobe_modal_options *options,
+                            modes_solver *solve, hobe_modes **modes, struct hobe_error *err);
+
 /* The shape of mode i, [vectors][3], or NULL with err. */
 const double *modes_shape(const hobe_modes *modes, int i, struct hobe_error *err);
 
