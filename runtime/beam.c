@@ -138,11 +138,11 @@ static enum hobe_status curved_references(struct beam *beam, struct hobe_error *
     return HOBE_OK;
 }
 
-/* Whether elements e and e - 1 are the same but for a rigid motion. */
-static int congruent(const struct beam *beam, int e)
+/* Whether elements e and f are the same but for a rigid motion. */
+static int congruent(const struct beam *beam, int e, int f)
 {
     const int V = beam->kernel->vectors;
-    const double *q = beam_q0(beam, e), *p = beam_q0(beam, e - 1);
+    const double *q = beam_q0(beam, e), *p = beam_q0(beam, f);
     for (int v = 0; v < V; v++)
         for (int w = 0; w <= v; w++) {
             const double size = length3(q + 3 * v) * length3(q + 3 * w);
@@ -163,8 +163,11 @@ static enum hobe_status number_laws(struct beam *beam, struct hobe_error *err)
     beam->law_of = hobe_alloc((size_t)elements, sizeof *beam->law_of, err);
     if (!beam->law_of)
         return HOBE_NO_MEMORY;
-    for (int e = 1; e < elements; e++) {
-        beam->laws += tapered || !congruent(beam, e);
+    for (int e = 1, first = 0; e < elements; e++) { /* first: of the run, lest small steps add up */
+        if (tapered || !congruent(beam, e, first)) {
+            beam->laws++;
+            first = e;
+        }
         beam->law_of[e] = beam->laws - 1;
     }
     return HOBE_OK;
