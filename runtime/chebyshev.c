@@ -86,7 +86,7 @@ static enum hobe_status fail_rough(struct fit *fit, struct hobe_error *err)
         }
     }
     return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                     "%s must be smooth, but it has a kink, or turns too sharply, near %s(%.2f); "
+                     "%s must be smooth, but it has a kink, or turns too sharply, near %s(%.3f); "
                      "split the beam there",
                      fit->name, fit->name, place);
 }
@@ -104,7 +104,9 @@ static enum hobe_status adapt(struct fit *fit, double tolerance, struct hobe_che
             return status;
         transform(fit, n);
     } while (significant(fit, n + 1, tolerance * fit->largest) > n / 2 + 1);
-    const int terms = significant(fit, n + 1, DBL_EPSILON * fit->largest);
+    /* Rounding of samples and cosines leaves up to 2 epsilon in each coefficient, the sum some
+     * more: terms of nothing else would cost the derivatives digits, k^4 for the second. */
+    const int terms = significant(fit, n + 1, 4 * DBL_EPSILON * fit->largest);
     const size_t size = (size_t)terms * (size_t)fit->values;
     *series = (struct hobe_chebyshev){fit->values, terms, hobe_alloc(size, sizeof(double), err)};
     if (!series->c)
