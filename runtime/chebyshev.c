@@ -69,6 +69,20 @@ static int significant(const struct fit *fit, int terms, double least)
     return (int)((i + (size_t)fit->values - 1) / (size_t)fit->values);
 }
 
+/* The number of terms up to where only rounding is left.  It leaves an epsilon or two in every
+ * coefficient, and far terms of nothing else cost the derivatives digits, k^4 for the second: past
+ * the last that is surely more, a term counts while it is no farther from the one before than one
+ * of an odd or even function. */
+static int without_noise(const struct fit *fit, int most)
+{
+    int terms = significant(fit, most, 64 * DBL_EPSILON * fit->largest), next = terms;
+    do {
+        terms = next;
+        next = significant(fit, terms + 2 < most ? terms + 2 : most, DBL_EPSILON * fit->largest);
+    } while (next > terms);
+    return terms;
+}
+
 /* Where half as many terms miss the function most: a kink or jump, or its sharpest turn. */
 static enum hobe_status fail_rough(struct fit *fit, struct hobe_error *err)
 {
@@ -104,9 +118,7 @@ static enum hobe_status adapt(struct fit *fit, double tolerance, struct hobe_che
             return status;
         transform(fit, n);
     } while (significant(fit, n + 1, tolerance * fit->largest) > n / 2 + 1);
-    /* Rounding of samples and cosines leaves up to 2 epsilon in each coefficient, the sum some
-     * more: terms of nothing else would cost the derivatives digits, k^4 for the second. */
-    const int terms = significant(fit, n + 1, 4 * DBL_EPSILON * fit->largest);
+    const int terms = without_noise(fit, n + 1);
     const size_t size = (size_t)terms * (size_t)fit->values;
     *series = (struct hobe_chebyshev){fit->values, terms, hobe_alloc(size, sizeof(double), err)};
     if (!series->c)
