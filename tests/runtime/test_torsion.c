@@ -83,7 +83,8 @@ static struct vlasov shoot(struct vlasov v)
 }
 
 /* The equation has the first nonlinear term of an expansion in (p r)^2, which is 1 % at the outer
- * fibres under the greatest moment: so good is it.  Had the flanges to bear the strain
+ * fibres under the greatest moment: so good is it, and half as good the shortening, which goes with
+ * the square of the twist.  Had the flanges to bear the strain
  * (p h/2)^2/2 across that warping makes there, the beam would be 12 % too stiff. */
 static void beside_vlasov(void)
 {
