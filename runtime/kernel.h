@@ -100,8 +100,9 @@ struct hobe_section_rule {
  * I-section of height h it is the stress E h^2 kappa^2/8).  Mechanics `average` therefore has
  * eps - eta + mean(eta) in the place of eps in the first integral.  The mean is that of the mean
  * law, weighted with E, in shear with G: so mean(eps) stays what it is, and no other uniform strain
- * takes less energy away.  Where nothing warps, as at rest, nothing changes, and the energy stays a
- * sum of squares. */
+ * takes less energy away.  (The best displacement of a square in its plane would leave 4 % of that,
+ * which is 3e-5 of its twist.)  Where nothing warps, as at rest, nothing changes, and the energy
+ * stays a sum of squares. */
 struct hobe_elasticity {
     double normal[3][3], shear[3];
 };
