@@ -9,7 +9,7 @@
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 3
+#if HOBE_KERNEL_ABI != 4
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -284,15 +284,13 @@ static void invariants(struct hobe_invariants *inv, const double (*gauss)[2], in
     }
 }
 
-/* E = sym(F0' H + H' H/2), F0 the reference gradient, H = du/dX: written with F0 + H/2. */
-static void strain(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
-                   const double *u, double *E)
+/* E = sym(F0' H + H' H/2) of section vectors D0 and their changes U, F0 = sum_I D0_I g_I the
+ * reference gradient, H = sum_I U_I g_I = du/dX: written with F0 + H/2. */
+static void green_lagrange(const double g[3][S], const double D0[S][3], const double U[S][3],
+                           double *E)
 {
     static const int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
-    double D0[S][3], U[S][3], g[3][S], F[3][3] = {{0}}, H[3][3] = {{0}};
-    vectors_at(N, Nx, q0, D0);
-    vectors_at(N, Nx, u, U);
-    gradient_rows(phi, (const double(*)[3])D0, g);
+    double F[3][3] = {{0}}, H[3][3] = {{0}};
     for (int b = 0; b < 3; b++)
         for (int i = 0; i < S; i++)
             for (int a = 0; a < 3; a++) {
@@ -303,6 +301,16 @@ static void strain(const double *N, const double *Nx, const double (*phi)[4], co
         const int b = voigt[i][0], c = voigt[i][1];
         E[i] = i < 3 ? product(F[b], H[b]) : product(F[b], H[c]) + product(H[b], F[c]);
     }
+}
+
+static void strain(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
+                   const double *u, double *E)
+{
+    double D0[S][3], U[S][3], g[3][S];
+    vectors_at(N, Nx, q0, D0);
+    vectors_at(N, Nx, u, U);
+    gradient_rows(phi, (const double(*)[3])D0, g);
+    green_lagrange((const double(*)[S])g, (const double(*)[3])D0, (const double(*)[3])U, E);
 }
 
 /* D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0) */
@@ -923,7 +931,7 @@ static const double axis_rule[][2] = {
 
 extern const struct hobe_kernel HOBE_KERNEL(3333s);
 const struct hobe_kernel HOBE_KERNEL(3333s) = {
-    .abi = 3,
+    .abi = 4,
     .name = "3333s",
     .hash = "abcf9e0e56460d5e",
     .source = "Nachbagauer, Gruber & Gerstmayr 2013; Tang, Tian & Hu 2022, Table 7",
@@ -952,4 +960,5 @@ const struct hobe_kernel HOBE_KERNEL(3333s) = {
     .tangent = tangent,
     .trilinear = NULL,
     .strain = strain,
+    .warping_strain = NULL,
 };

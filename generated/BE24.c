@@ -9,7 +9,7 @@
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 3
+#if HOBE_KERNEL_ABI != 4
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -280,12 +280,13 @@ static void mean_rows(const struct hobe_section_rule *normal,
 static void section_law(const struct blocks *to, const struct hobe_station *station,
                         const struct hobe_law *law, const double (*D0)[3], double moment[M][M])
 {
-    double e[6][NN + NS], g[3][S], phi[M][4], area = 0.0;
+    double mean[6][NN + NS], e[6][NN + NS], g[3][S], phi[M][4], area = 0.0;
     clear(to->Qn, NN * NN);
     clear(to->Qs, NS * NS);
     if (to->Qc)
         clear(to->Qc, NN * NS);
     clear(moment[0], M * M);
+    mean_rows(&station->mean_normal, &station->mean_shear, D0, mean);
     for (int p = 0; p < station->rule.points; p++) {
         const struct hobe_section_point *at = station->rule.point + p;
         const double weight = at->weight * point_rows(at, D0, phi, g);
@@ -297,8 +298,7 @@ static void section_law(const struct blocks *to, const struct hobe_station *stat
             for (int l = 0; l < M; l++)
                 moment[k][l] += weight * law->density[at->region] * phi[k][0] * phi[l][0];
     }
-    mean_rows(&station->mean_normal, &station->mean_shear, D0, e);
-    add_law(to, e, &law->mean, area);
+    add_law(to, mean, &law->mean, area);
     mirror(to->Qn, NN);
     mirror(to->Qs, NS);
 }
@@ -358,15 +358,13 @@ static void invariants(struct hobe_invariants *inv, const double (*gauss)[2], in
     }
 }
 
-/* E = sym(F0' H + H' H/2), F0 the reference gradient, H = du/dX: written with F0 + H/2. */
-static void strain(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
-                   const double *u, double *E)
+/* E = sym(F0' H + H' H/2) of section vectors D0 and their changes U, F0 = sum_I D0_I g_I the
+ * reference gradient, H = sum_I U_I g_I = du/dX: written with F0 + H/2. */
+static void green_lagrange(const double g[3][S], const double D0[S][3], const double U[S][3],
+                           double *E)
 {
     static const int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
-    double D0[S][3], U[S][3], g[3][S], F[3][3] = {{0}}, H[3][3] = {{0}};
-    vectors_at(N, Nx, q0, D0);
-    vectors_at(N, Nx, u, U);
-    gradient_rows(phi, (const double(*)[3])D0, g);
+    double F[3][3] = {{0}}, H[3][3] = {{0}};
     for (int b = 0; b < 3; b++)
         for (int i = 0; i < S; i++)
             for (int a = 0; a < 3; a++) {
@@ -377,6 +375,16 @@ static void strain(const double *N, const double *Nx, const double (*phi)[4], co
         const int b = voigt[i][0], c = voigt[i][1];
         E[i] = i < 3 ? product(F[b], H[b]) : product(F[b], H[c]) + product(H[b], F[c]);
     }
+}
+
+static void strain(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
+                   const double *u, double *E)
+{
+    double D0[S][3], U[S][3], g[3][S];
+    vectors_at(N, Nx, q0, D0);
+    vectors_at(N, Nx, u, U);
+    gradient_rows(phi, (const double(*)[3])D0, g);
+    green_lagrange((const double(*)[S])g, (const double(*)[3])D0, (const double(*)[3])U, E);
 }
 
 /* D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0) */
@@ -910,7 +918,7 @@ static const char *const mode_name[M] = {
 
 extern const struct hobe_kernel HOBE_KERNEL(BE24);
 const struct hobe_kernel HOBE_KERNEL(BE24) = {
-    .abi = 3,
+    .abi = 4,
     .name = "BE24",
     .hash = "20f030f25728ccec",
     .source = "Yakoub & Shabana 2001; Tang, Tian & Hu 2022, Table 2",
@@ -939,4 +947,5 @@ const struct hobe_kernel HOBE_KERNEL(BE24) = {
     .tangent = tangent,
     .trilinear = trilinear,
     .strain = strain,
+    .warping_strain = NULL,
 };

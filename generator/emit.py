@@ -7,7 +7,7 @@ from . import structural
 from .ir import write
 from .shape import derivative
 
-ABI = 3  # HOBE_KERNEL_ABI of kernel.h
+ABI = 4  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -19,7 +19,7 @@ def element_file(element, plan):
     """The C file of one element."""
     counts = plan.operations
     parts = [_head(element, counts), _tables(element), _shape(element), _modes(element)]
-    parts += [REFERENCE, LAWS[element.declaration.form], INVARIANTS, STRAIN]
+    parts += [REFERENCE, *_law(element), INVARIANTS, *_strain(element)]
     parts += [_function(f) for f in plan.functions]
     parts += [BATCH, *([TRILINEAR] if "trilinear_part" in counts else []),
               _descriptor(element, counts)]
@@ -402,31 +402,45 @@ static void mean_rows(const struct hobe_section_rule *normal,
                 e[a][r] = sum[a][r] / total;
     }
 }
+"""
 
+RELIEF = """\
+/* Strain at a point: what warping alone makes of yy, zz, 2yz becomes that of the mean strain. */
+static void relieve(double e[6][NN + NS], double mean[6][NN + NS])
+{
+    for (int j = 0; j < S; j++)
+        for (int i = 0; i <= j; i++)
+            if (warps[i] && warps[j])
+                for (int a = 1; a <= 3; a++)
+                    e[a][gram_entry(i, j)] = mean[a][gram_entry(i, j)];
+}
+"""
+
+SECTION_LAW = """\
 /* Q of the law at each point of a section and of the law on the mean strain, and
  * moment_kl = int density phi_k phi_l dA.  D0: section vectors of the reference, or NULL. */
 static void section_law(const struct blocks *to, const struct hobe_station *station,
                         const struct hobe_law *law, const double (*D0)[3], double moment[M][M])
 {
-    double e[6][NN + NS], g[3][S], phi[M][4], area = 0.0;
+    double mean[6][NN + NS], e[6][NN + NS], g[3][S], phi[M][4], area = 0.0;
     clear(to->Qn, NN * NN);
     clear(to->Qs, NS * NS);
     if (to->Qc)
         clear(to->Qc, NN * NS);
     clear(moment[0], M * M);
+    mean_rows(&station->mean_normal, &station->mean_shear, D0, mean);
     for (int p = 0; p < station->rule.points; p++) {
         const struct hobe_section_point *at = station->rule.point + p;
         const double weight = at->weight * point_rows(at, D0, phi, g);
         clear(e[0], 6 * (NN + NS));
         strain_rows((const double(*)[S])g, 1.0, e);
-        add_law(to, e, law->region + at->region, weight);
+RELIEVE        add_law(to, e, law->region + at->region, weight);
         area += weight;
         for (int k = 0; k < M; k++)
             for (int l = 0; l < M; l++)
                 moment[k][l] += weight * law->density[at->region] * phi[k][0] * phi[l][0];
     }
-    mean_rows(&station->mean_normal, &station->mean_shear, D0, e);
-    add_law(to, e, &law->mean, area);
+    add_law(to, mean, &law->mean, area);
     mirror(to->Qn, NN);
     mirror(to->Qs, NS);
 }
@@ -437,7 +451,28 @@ static double mass_weight(const struct hobe_invariants *inv, int g)
 }
 """
 
-LAWS = {"continuum": GRAM_LAW, "structural": structural.LAW}
+RELIEVE = """\
+        if (law->relieved)
+            relieve(e, mean);
+"""
+
+
+def _warps(element):
+    """Of each section vector whether it is that of a warping function, whose name begins with w;
+    empty where none is."""
+    warps = [mode.startswith("w") for mode in element.declaration.modes]
+    return warps + warps[1:] if any(warps) else []
+
+
+def _law(element):
+    if element.declaration.form == "structural":
+        return [structural.LAW]
+    if not (warps := _warps(element)):
+        return [GRAM_LAW, SECTION_LAW.replace("RELIEVE", "")]
+    table = _table("static const unsigned char warps[S]", [str(int(w)) for w in warps])
+    return ["/* Of each section vector: whether it is that of a warping function. */",
+            table + "\n", GRAM_LAW, RELIEF, SECTION_LAW.replace("RELIEVE", RELIEVE)]
+
 
 INVARIANTS = """\
 /* mass_vw = int moment_kl N_v N_w dx, exact for one section */
@@ -492,15 +527,13 @@ static void invariants(struct hobe_invariants *inv, const double (*gauss)[2], in
 """
 
 STRAIN = """\
-/* E = sym(F0' H + H' H/2), F0 the reference gradient, H = du/dX: written with F0 + H/2. */
-static void strain(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
-                   const double *u, double *E)
+/* E = sym(F0' H + H' H/2) of section vectors D0 and their changes U, F0 = sum_I D0_I g_I the
+ * reference gradient, H = sum_I U_I g_I = du/dX: written with F0 + H/2. */
+static void green_lagrange(const double g[3][S], const double D0[S][3], const double U[S][3],
+                           double *E)
 {
     static const int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
-    double D0[S][3], U[S][3], g[3][S], F[3][3] = {{0}}, H[3][3] = {{0}};
-    vectors_at(N, Nx, q0, D0);
-    vectors_at(N, Nx, u, U);
-    gradient_rows(phi, (const double(*)[3])D0, g);
+    double F[3][3] = {{0}}, H[3][3] = {{0}};
     for (int b = 0; b < 3; b++)
         for (int i = 0; i < S; i++)
             for (int a = 0; a < 3; a++) {
@@ -512,7 +545,38 @@ static void strain(const double *N, const double *Nx, const double (*phi)[4], co
         E[i] = i < 3 ? product(F[b], H[b]) : product(F[b], H[c]) + product(H[b], F[c]);
     }
 }
+
+static void strain(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
+                   const double *u, double *E)
+{
+    double D0[S][3], U[S][3], g[3][S];
+    vectors_at(N, Nx, q0, D0);
+    vectors_at(N, Nx, u, U);
+    gradient_rows(phi, (const double(*)[3])D0, g);
+    green_lagrange((const double(*)[S])g, (const double(*)[3])D0, (const double(*)[3])U, E);
+}
 """
+
+WARPING_STRAIN = """\
+/* The strain that relieve() takes at its mean. */
+static void warping_strain(const double *N, const double *Nx, const double (*phi)[4],
+                           const double *q0, const double *u, double *E)
+{
+    double D0[S][3], U[S][3], g[3][S];
+    vectors_at(N, Nx, q0, D0);
+    vectors_at(N, Nx, u, U);
+    gradient_rows(phi, (const double(*)[3])D0, g);
+    for (int b = 0; b < 3; b++)
+        for (int i = 0; i < S; i++)
+            g[b][i] *= b > 0 && warps[i]; /* no gradient along x, no other modes */
+    green_lagrange((const double(*)[S])g, (const double(*)[3])D0, (const double(*)[3])U, E);
+}
+"""
+
+
+def _strain(element):
+    return [STRAIN, WARPING_STRAIN] if _warps(element) else [STRAIN]
+
 
 BATCH = """\
 static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
@@ -580,6 +644,7 @@ def _descriptor(element, counts):
         "section_modes": "section_modes", "invariants": "invariants", "energy": "energy",
         "force": "force", "tangent": "tangent",
         "trilinear": "trilinear" if "trilinear_part" in counts else "NULL", "strain": "strain",
+        "warping_strain": "warping_strain" if _warps(element) else "NULL",
     }
     lines += [f"    .{name} = {value}," for name, value in fields.items()]
     return "\n".join(lines + ["};", ""])

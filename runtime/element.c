@@ -298,8 +298,10 @@ static void set_laws(struct laws *laws, const struct hobe_element_options *optio
 {
     double share[HOBE_MAX_REGIONS] = {0}, total = 0;
     struct hobe_elasticity mean;
-    laws->law = (struct hobe_law){
-        hobe_section_regions(options->section), laws->region, laws->density, {{{0}}, {0}}};
+    laws->law = (struct hobe_law){.regions = hobe_section_regions(options->section),
+                                  .region = laws->region,
+                                  .density = laws->density,
+                                  .relieved = mechanics == HOBE_MECHANICS_AVERAGE};
     for (int p = 0; p < rule->points; p++)
         total += rule->point[p].weight;
     for (int p = 0; p < rule->points; p++)

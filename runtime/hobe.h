@@ -171,7 +171,8 @@ struct hobe_material {
 
 enum hobe_mechanics {
     HOBE_MECHANICS_DEFAULT,   /* what the element declares */
-    HOBE_MECHANICS_AVERAGE,   /* Poisson coupling of the section-averaged strain */
+    HOBE_MECHANICS_AVERAGE,   /* Poisson coupling of the section-averaged strain; so with what
+                                 warping strains the section in its plane (struct hobe_law) */
     HOBE_MECHANICS_AXIS,      /* Poisson coupling on the axis: the paper's eq. 26 */
     HOBE_MECHANICS_FULL,      /* unsplit continuum mechanics */
     HOBE_MECHANICS_STRUCTURAL /* a rod's law: E, G and the section's J, no Poisson coupling; that of
@@ -525,7 +526,9 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
 struct hobe_stress {
     double strain[6];  /* Green-Lagrange, as in hobe_point */
     double S[6];       /* second Piola-Kirchhoff, Pa, Voigt xx, yy, zz, yz, xz, xy, on the section's
-                          axes in the reference; conjugate to strain */
+                          axes in the reference; conjugate to the strain that the law acts on, with
+                          mechanics `average` not quite that of the displacements (struct hobe_law
+                          of kernel.h) */
     double cauchy[6];  /* F S F'/det F, Pa, xx, yy, zz, yz, xz, xy, global axes */
     double section[6]; /* the same on the section's axes now: x normal to it, y and z as near to r_y
                           and r_z as can be on the axis */

@@ -45,7 +45,7 @@
 #include <stddef.h>
 
 /* Raised whenever anything below changes its meaning; generated files check it. */
-#define HOBE_KERNEL_ABI 3
+#define HOBE_KERNEL_ABI 4
 
 enum {
     HOBE_LANES = 8,         /* elements in a batch */
@@ -87,7 +87,22 @@ struct hobe_section_rule {
  * own: the whole section (mechanics `average`), or the axis alone (mechanics `axis`, the paper's
  * selective integration).  Normal order xx, yy, zz; shear order yz, xz, xy, conjugate to
  * engineering strains 2 eps.  Pa.  Strains are on the axes of the section in the reference: e_x
- * along the axis, e_y the part of r_y normal to it, e_z = e_x x e_y. */
+ * along the axis, e_y the part of r_y normal to it, e_z = e_x x e_y.
+ *
+ * A twist kappa makes d_w ~ kappa e_x of a warping function w, and with it a strain of second order
+ * in the plane of the section.  Of all warping functions, the modes whose names begin with w,
+ *
+ *     eta_ab = 1/2 (dp/dX_a . dp/dX_b - its value in the reference),  a, b = y, z,
+ *     p = sum_k w_k(y,z) d_k(x).
+ *
+ * The section itself undoes it by moving in its plane, but the modes y, z can undo its mean alone:
+ * left as it is, the rest makes a thin-walled beam too stiff in large torsion (in the flange of an
+ * I-section of height h it is the stress E h^2 kappa^2/8).  Mechanics `average` therefore has
+ * eps - eta + mean(eta) in the place of eps in the first integral.  The mean is that of the mean
+ * law, weighted with E, in shear with G: so mean(eps) stays what it is, and no other uniform strain
+ * takes less energy away.  (The best displacement of a square in its plane would leave 4 % of that,
+ * which is 3e-5 of its twist.)  Where nothing warps, as at rest, nothing changes, and the energy
+ * stays a sum of squares. */
 struct hobe_elasticity {
     double normal[3][3], shear[3];
 };
@@ -96,6 +111,7 @@ struct hobe_law {
     const struct hobe_elasticity *region; /* [regions] C, acts at each point */
     const double *density;                /* [regions] kg/m^3 */
     struct hobe_elasticity mean;          /* C_mean, acts on the mean strain, with area A */
+    int relieved;                         /* whether eta is taken at its mean */
 };
 
 /* The section at a station of the axis. */
@@ -201,6 +217,11 @@ struct hobe_kernel {
      * E in Voigt order xx, yy, zz, 2yz, 2xz, 2xy. */
     void (*strain)(const double *N, const double *Nx, const double (*phi)[4], const double *q0,
                    const double *u, double *E);
+
+    /* Of that the part eta (struct hobe_law), 0 but for yy, zz, 2yz.  NULL where no mode is a
+     * warping function. */
+    void (*warping_strain)(const double *N, const double *Nx, const double (*phi)[4],
+                           const double *q0, const double *u, double *E);
 };
 
 /* The elements built in, in the order of the declarations' names; ends with NULL.  Each is compiled

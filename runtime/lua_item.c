@@ -118,7 +118,8 @@ static const struct hobe_lua_key beam_keys[] = {
         .doc =
             "where Poisson's coupling acts: on the strain averaged over the section, on the "
             "axis (the paper), everywhere (full); nowhere in the law of a rod, structural, which "
-            "3333s has and no other.  The element's own choice where left out"),
+            "3333s has and no other.  average also averages what warping in large torsion strains "
+            "the section in its plane.  The element's own choice where left out"),
     KEY(struct beam, integration, KEY_CHOICE, .choices = "exact|paper", .word = "exact",
         .doc = "exact, or 3 x 3 x 3 Gauss points and one term of the warping "
                "series as in the paper; not for 3333s"),

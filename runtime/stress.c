@@ -7,7 +7,8 @@
  * has S = C:eps + A m C_mean:mean(eps) at a point, m the weight of the mean there: 1/A, but for
  * composite sections, where it goes with E or G.  The mean of mechanics `axis` has all its weight
  * on the axis, where its stress would be infinite; it is shown spread evenly, which keeps its
- * force. */
+ * force.  Where the law is relieved of the strain eta of warping, C has eps - eta + mean(eta) to
+ * act on.  The strain shown is eps, that of the displacements. */
 #include "stress.h"
 
 #include "element.h"
@@ -42,34 +43,48 @@ static void strain_here(const struct around *p, double E[STRAINS])
     p->kernel->strain(p->N, p->Nx, (const double(*)[4])p->phi, p->q0, p->u, E);
 }
 
+/* What the law takes at its mean where phi is; 0 where it takes nothing. */
+static void eta_here(const struct around *p, const struct hobe_law *law, double eta[STRAINS])
+{
+    if (law->relieved && p->kernel->warping_strain)
+        p->kernel->warping_strain(p->N, p->Nx, (const double(*)[4])p->phi, p->q0, p->u, eta);
+    else
+        memset(eta, 0, STRAINS * sizeof *eta);
+}
+
 /* ---- the mean law --------------------------------------------------------------------------- */
 
 /* Sums over a section: of weights, strains times weights, normal strains with E and shear with G.
  */
 struct sums {
-    double area, E, G, strain[STRAINS];
+    double area, E, G, strain[STRAINS], eta[STRAINS];
 };
 
-static void add_point(struct around *p, const struct hobe_section_point *at, struct sums *sums)
+static void add_point(struct around *p, const struct hobe_law *law,
+                      const struct hobe_section_point *at, struct sums *sums)
 {
     const hobe_section *section = p->place.beam->spec.section;
-    double F[3][3], strain[STRAINS];
+    double F[3][3], strain[STRAINS], eta[STRAINS];
     p->kernel->section_modes(at->y, at->z, at->f, p->phi);
     const double weight = at->weight * around_gradient(p, F);
     const double E = weight * hobe_section_E(section, at->region);
     const double G = weight * hobe_section_G(section, at->region);
     strain_here(p, strain);
+    eta_here(p, law, eta);
     sums->area += weight;
     sums->E += E;
     sums->G += G;
-    for (int i = 0; i < STRAINS; i++)
+    for (int i = 0; i < STRAINS; i++) {
         sums->strain[i] += (i < NORMALS ? E : G) * strain[i];
+        sums->eta[i] += (i < NORMALS ? E : G) * eta[i];
+    }
 }
 
 /* The sums over the points that the element itself has; or over its point on the axis. */
-static enum hobe_status sum_up(struct around *p, int on_axis, struct sums *sums,
+static enum hobe_status sum_up(struct stress_section *s, int on_axis, struct sums *sums,
                                struct hobe_error *err)
 {
+    struct around *p = &s->around;
     const struct hobe_beam *spec = &p->place.beam->spec;
     const struct hobe_section_place place = around_section_place(p->place);
     struct hobe_rule rule;
@@ -77,25 +92,25 @@ static enum hobe_status sum_up(struct around *p, int on_axis, struct sums *sums,
     const enum hobe_status status = (on_axis ? hobe_axis_rule : hobe_section_rule)(
         spec->section, p->kernel, spec->integration, &place, &rule, err);
     for (int i = 0; !status && i < rule.rule.points; i++)
-        add_point(p, rule.point + i, sums);
+        add_point(p, s->law, rule.point + i, sums);
     hobe_rule_free(&rule);
     return status;
 }
 
-/* Whether there is a law on the mean strain at all. */
-static int has_mean(const struct hobe_elasticity *mean)
+/* Whether the law asks for the mean strain at all. */
+static int has_mean(const struct hobe_law *law)
 {
     static const struct hobe_elasticity none;
-    return memcmp(mean, &none, sizeof none) != 0;
+    return law->relieved || memcmp(&law->mean, &none, sizeof none) != 0;
 }
 
 static enum hobe_status set_mean(struct stress_section *s, int on_axis, struct hobe_error *err)
 {
     struct sums whole, axis;
     double strain[STRAINS];
-    enum hobe_status status = sum_up(&s->around, 0, &whole, err);
+    enum hobe_status status = sum_up(s, 0, &whole, err);
     if (!status && on_axis)
-        status = sum_up(&s->around, 1, &axis, err);
+        status = sum_up(s, 1, &axis, err);
     if (status)
         return status;
     const struct sums *normal = on_axis ? &axis : &whole;
@@ -103,6 +118,8 @@ static enum hobe_status set_mean(struct stress_section *s, int on_axis, struct h
         strain[i] = normal->strain[i] / normal->E;
         strain[NORMALS + i] = whole.strain[NORMALS + i] / whole.G;
     }
+    for (int i = 0; i < STRAINS; i++)
+        s->eta[i] = whole.eta[i] / (i < NORMALS ? whole.E : whole.G);
     apply(&s->law->mean, (const double *)strain, s->mean);
     s->energy = double_dot((const double *)strain, s->mean) / 2;
     s->mean_E = on_axis ? 0 : whole.E / whole.area;
@@ -134,7 +151,7 @@ enum hobe_status stress_section(const hobe_solution *solution, const char *name,
         return status;
     around_gradient(&s->around, F);
     around_axes((const double(*)[3])F, s->axes);
-    return has_mean(&s->law->mean) ? set_mean(s, mechanics == HOBE_MECHANICS_AXIS, err) : HOBE_OK;
+    return has_mean(s->law) ? set_mean(s, mechanics == HOBE_MECHANICS_AXIS, err) : HOBE_OK;
 }
 
 /* ---- points --------------------------------------------------------------------------------- */
@@ -175,10 +192,13 @@ static double von_mises(const double s[STRAINS])
 /* Where phi is. */
 static void stress_here(const struct stress_section *s, int region, struct hobe_stress *stress)
 {
-    double F[3][3];
+    double F[3][3], felt[STRAINS], eta[STRAINS];
     strain_here(&s->around, stress->strain);
-    apply(s->law->region + region, stress->strain, stress->S);
-    stress->energy = double_dot(stress->S, stress->strain) / 2 + s->energy;
+    eta_here(&s->around, s->law, eta);
+    for (int i = 0; i < STRAINS; i++)
+        felt[i] = stress->strain[i] - eta[i] + s->eta[i];
+    apply(s->law->region + region, (const double *)felt, stress->S);
+    stress->energy = double_dot(stress->S, felt) / 2 + s->energy;
     add_mean(s, region, stress->S);
     around_gradient(&s->around, F);
     transform((const double(*)[3])F, stress->S, 1 / determinant((const double(*)[3])F),

@@ -11,6 +11,7 @@ struct stress_section {
     const struct hobe_law *law;
     double mean[6]; /* C_mean : mean(eps), the stress of the law on the mean strain, Pa */
     double energy;  /* of that law, spread over the section, J/m^3 */
+    double eta[6];  /* mean strain of warping in the plane, where the law takes it at its mean */
     /* The mean of E over E_1, and of G over G_1: the stress of the mean law at a point goes with
      * E/E_1 over the one, and G/G_1 over the other.  0: it is the same everywhere. */
     double mean_E, mean_G;

@@ -168,7 +168,8 @@ static struct hobe_section_rule rule_at(const struct fixture *fx,
 
 static void fill(const struct fixture *fx, const double (*gauss)[2], struct hobe_invariants *inv)
 {
-    const struct hobe_law law = {1, &fx->law, &fx->density, fx->mean_law};
+    const int relieved = fx->beam.mechanics == PW_AVERAGE || fx->beam.mechanics == PW_MEAN_SHEAR;
+    const struct hobe_law law = {1, &fx->law, &fx->density, fx->mean_law, relieved};
     struct hobe_station station[PW_GAUSS];
     double q0[PW_DOFS];
     for (int s = 0; s < PW_GAUSS; s++)

@@ -223,41 +223,93 @@ static real gradients(const struct pw_beam *beam, real xi, const real *N, const 
     return volume;
 }
 
-/* F_ij = d r_i/d X_j. */
-static void deformation(int vectors, real G[PW_VECTORS][3], const number *q, number F[3][3])
+/* Parts of the deformation: of all modes, and of the warping functions alone. */
+enum { WHOLE, WARPING, PARTS };
+
+static int takes_part(const struct pw_element *e, int v, int part)
+{
+    return part == WHOLE || e->mode[e->vector[v].mode][0] == 'w';
+}
+
+/* F_ij = d r_i/d X_j, as far as a part of the modes makes it. */
+static void deformation(const struct pw_element *e, int part, real G[PW_VECTORS][3],
+                        const number *q, number F[3][3])
 {
     memset(F, 0, 9 * sizeof F[0][0]);
-    for (int v = 0; v < vectors; v++)
-        for (int i = 0; i < 3; i++)
+    for (int v = 0; v < e->vectors; v++)
+        for (int i = 0; takes_part(e, v, part) && i < 3; i++)
             for (int j = 0; j < 3; j++)
                 F[i][j] += q[3 * v + i] * G[v][j];
 }
 
+/* The law that spreads the in-plane strain of warping, w[p] at a point, evenly over the section:
+ * its energy is that of eps - w + mean(w).  W = F of the warping functions, W0 in the reference. */
+static void spread(int n, const real *weight, real area, number (*W)[3][3], number (*W0)[3][3],
+                   number (*eps)[6])
+{
+    number w[POINTS][6], mean[6] = {0};
+    for (int p = 0; p < n; p++) {
+        number now[6], then[6];
+        green_lagrange(W[p], now);
+        green_lagrange(W0[p], then);
+        for (int i = 1; i < 4; i++) {
+            w[p][i] = now[i] - then[i];
+            mean[i] += weight[p] / area * w[p][i];
+        }
+    }
+    for (int p = 0; p < n; p++)
+        for (int i = 1; i < 4; i++)
+            eps[p][i] += mean[i] - w[p][i];
+}
+
+/* What works on dW: less the stress in the plane at each point, plus its mean. */
+static void spread_stress(int n, const real *weight, real area, number (*W)[3][3],
+                          number (*sigma)[6], number (*P)[3][3])
+{
+    number sum[6] = {0};
+    for (int p = 0; p < n; p++)
+        for (int i = 1; i < 4; i++)
+            sum[i] += sigma[p][i];
+    for (int p = 0; p < n; p++) {
+        number s[6] = {0};
+        for (int i = 1; i < 4; i++)
+            s[i] = weight[p] / area * sum[i] - sigma[p][i];
+        first_piola(W[p], s, P[p]);
+    }
+}
+
 /* From F at the points of a section: the energy per length, and P times the weight of each point,
- * whose work on dF is the variation of that energy. */
+ * whose work on dF is the variation of that energy; of both parts. */
 static number section(const struct pw_beam *beam, const struct law *law, int n, const real *weight,
-                      number (*F)[3][3], number (*P)[3][3])
+                      number (*F[PARTS])[3][3], number (*W0)[3][3], number (*P[PARTS])[3][3])
 {
     const int axis = n - 1, on_axis = beam->mechanics == PW_AXIS;
+    const int even = beam->mechanics == PW_AVERAGE || beam->mechanics == PW_MEAN_SHEAR;
     real area = 0;
     struct law C = *law;
-    number eps[POINTS][6], mean[6] = {0}, mean_stress[6] = {0}, energy = 0;
+    number eps[POINTS][6], sigma[POINTS][6], mean[6] = {0}, mean_stress[6] = {0}, energy = 0;
     for (int p = 0; p < n; p++)
         area += weight[p];
     for (int p = 0; p < n; p++) {
-        green_lagrange(F[p], eps[p]);
+        green_lagrange(F[WHOLE][p], eps[p]);
         for (int i = 0; i < 6; i++)
             mean[i] += on_axis ? (p == axis) * eps[p][i] : weight[p] / area * eps[p][i];
     }
     energy += area * add_stress(C.mean, 1, mean, mean_stress);
+    if (even)
+        spread(n, weight, area, F[WARPING], W0, eps);
+    memset(sigma, 0, sizeof sigma);
+    for (int p = 0; p < n; p++)
+        energy += add_stress(C.volume, weight[p], eps[p], sigma[p]);
+    memset(P[WARPING], 0, (size_t)n * sizeof P[WARPING][0]);
+    if (even)
+        spread_stress(n, weight, area, F[WARPING], sigma, P[WARPING]);
     for (int p = 0; p < n; p++) {
         /* d mean(eps) is d eps on the axis, or the weighted mean of d eps. */
         real share = on_axis ? (p == axis) * area : weight[p];
-        number sigma[6];
         for (int i = 0; i < 6; i++)
-            sigma[i] = share * mean_stress[i];
-        energy += add_stress(C.volume, weight[p], eps[p], sigma);
-        first_piola(F[p], sigma, P[p]);
+            sigma[p][i] += share * mean_stress[i];
+        first_piola(F[WHOLE][p], sigma[p], P[WHOLE][p]);
     }
     return energy;
 }
@@ -266,18 +318,43 @@ static number section(const struct pw_beam *beam, const struct law *law, int n, 
 
 struct station {
     real weight[POINTS], G[POINTS][PW_VECTORS][3];
-    number F[POINTS][3][3], P[POINTS][3][3];
+    number F[PARTS][POINTS][3][3], P[PARTS][POINTS][3][3];
+    number W0[POINTS][3][3]; /* F[WARPING] in the reference, where warping functions rest or not */
 };
 
 static void set_station(const struct pw_beam *beam, const struct grid *g, int s, const number *q,
                         struct station *station)
 {
+    const struct pw_element *e = &beam->element;
+    number reference[PW_DOFS];
+    for (int i = 0; i < 3 * e->vectors; i++) /* straight: warping functions rest */
+        reference[i] = beam->reference ? beam->reference[i] : 0;
     for (int p = 0; p < g->points; p++) {
         const real *N = g->N[s], *Nx = g->Nx[s];
         station->weight[p] =
             g->weight[p] * gradients(beam, g->xi[s], N, Nx, g->phi[p], station->G[p]);
-        deformation(beam->element.vectors, station->G[p], q, station->F[p]);
+        for (int part = 0; part < PARTS; part++)
+            deformation(e, part, station->G[p], q, station->F[part][p]);
+        deformation(e, WARPING, station->G[p], reference, station->W0[p]);
     }
+}
+
+/* The energy of a station, whose state may be another than its own. */
+static number station_energy(const struct pw_beam *beam, const struct law *law,
+                             const struct grid *g, struct station *t, number (*F[PARTS])[3][3])
+{
+    return section(beam, law, g->points, t->weight, F, t->W0,
+                   (number(*[PARTS])[3][3]){t->P[WHOLE], t->P[WARPING]});
+}
+
+/* f += weight * P : d(dr/dX)/dq at a point. */
+static void add_force(const struct pw_element *e, struct station *t, int p, real weight, number *f)
+{
+    for (int v = 0; v < e->vectors; v++)
+        for (int part = 0; part < PARTS; part++)
+            for (int i = 0; takes_part(e, v, part) && i < 3; i++)
+                for (int j = 0; j < 3; j++)
+                    f[3 * v + i] += weight * t->P[part][p][i][j] * t->G[p][v][j];
 }
 
 /* Energy and, unless f is NULL, force. */
@@ -291,12 +368,11 @@ static number evaluate(const struct pw_beam *beam, const number *q, number *f)
     set_grid(beam, &g);
     for (int s = 0; s < g.stations; s++) {
         set_station(beam, &g, s, q, &t);
-        energy += g.length_weight[s] * section(beam, &law, g.points, t.weight, t.F, t.P);
+        energy +=
+            g.length_weight[s] *
+            station_energy(beam, &law, &g, &t, (number(*[PARTS])[3][3]){t.F[WHOLE], t.F[WARPING]});
         for (int p = 0; f && p < g.points; p++)
-            for (int v = 0; v < beam->element.vectors; v++)
-                for (int i = 0; i < 3; i++)
-                    for (int j = 0; j < 3; j++)
-                        f[3 * v + i] += g.length_weight[s] * t.P[p][i][j] * t.G[p][v][j];
+            add_force(&beam->element, &t, p, g.length_weight[s], f);
     }
     return energy;
 }
@@ -321,24 +397,22 @@ void pw_force(const struct pw_beam *beam, const number *q, number *f)
 static void tangent_column(const struct pw_beam *beam, const struct law *law, const struct grid *g,
                            struct station *t, int s, int column, real *K)
 {
-    static number F[POINTS][3][3];
+    static number F[PARTS][POINTS][3][3];
     const real h = 0x1p-100L;
-    const int vectors = beam->element.vectors;
-    memcpy(F, t->F, (size_t)g->points * sizeof F[0]);
-    for (int p = 0; p < g->points; p++)
-        for (int j = 0; j < 3; j++)
-            F[p][column % 3][j] += I * h * t->G[p][column / 3][j];
-    section(beam, law, g->points, t->weight, F, t->P);
-    for (int p = 0; p < g->points; p++)
-        for (int i = 0; i < 3; i++) {
-            real P[3];
+    const struct pw_element *e = &beam->element;
+    memcpy(F, t->F, sizeof F);
+    for (int part = 0; part < PARTS; part++)
+        for (int p = 0; takes_part(e, column / 3, part) && p < g->points; p++)
             for (int j = 0; j < 3; j++)
-                P[j] = cimagl(t->P[p][i][j]) / h * g->length_weight[s];
-            for (int v = 0; v < vectors; v++) {
-                const real *G = t->G[p][v];
-                K[(3 * v + i) * 3 * vectors + column] += P[0] * G[0] + P[1] * G[1] + P[2] * G[2];
-            }
-        }
+                F[part][p][column % 3][j] += I * h * t->G[p][column / 3][j];
+    station_energy(beam, law, g, t, (number(*[PARTS])[3][3]){F[WHOLE], F[WARPING]});
+    for (int p = 0; p < g->points; p++)
+        for (int v = 0; v < e->vectors; v++)
+            for (int part = 0; part < PARTS; part++)
+                for (int i = 0; takes_part(e, v, part) && i < 3; i++)
+                    for (int j = 0; j < 3; j++)
+                        K[(3 * v + i) * 3 * e->vectors + column] +=
+                            cimagl(t->P[part][p][i][j]) / h * g->length_weight[s] * t->G[p][v][j];
 }
 
 /* The same for a rod, whose force is cheap: as a whole. */
@@ -387,7 +461,7 @@ void pw_strain(const struct pw_beam *beam, const real *q, real xi, real y, real 
     pw_shape(beam, xi, N, Nx);
     pw_modes(beam, y, z, phi);
     gradients(beam, xi, N, Nx, phi, G);
-    deformation(beam->element.vectors, G, position, F);
+    deformation(&beam->element, WHOLE, G, position, F);
     green_lagrange(F, eps);
     for (int i = 0; i < 6; i++)
         E[i] = creall(eps[i]);

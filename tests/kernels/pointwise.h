@@ -53,7 +53,8 @@ int pw_find(const char *name, struct pw_element *element);
 /* How Poisson's ratio and the shear corrections enter the energy. */
 enum pw_mechanics {
     PW_AXIS,       /* E0 in the volume, Enu on the axis y = z = 0 with the whole area (eq. 26) */
-    PW_AVERAGE,    /* E0 in the volume, Enu on the mean strain of each section */
+    PW_AVERAGE,    /* E0 in the volume, Enu on the mean strain of each section; what warping
+                      functions alone strain the section in its plane is spread over it evenly */
     PW_FULL,       /* unsplit continuum mechanics */
     PW_MEAN_SHEAR, /* as PW_AVERAGE, but k2 and k3 correct the mean shear strain only */
     PW_STRUCTURAL, /* the law of structural elements, and theirs alone */

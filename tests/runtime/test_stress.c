@@ -195,17 +195,58 @@ static void shake(hobe_solution *solution, double amount)
         solution->u[i] = amount * random_real(-1, 1);
 }
 
-/* int S:dE dV in the state u, dE along du.  E is quadratic in u, so that differences are exact.
- */
+typedef void strain_function(const double *N, const double *Nx, const double (*phi)[4],
+                             const double *q0, const double *u, double *E);
+
+/* The change of a strain along du.  It is quadratic in u, so that differences are exact. */
+static void change_of(strain_function *strain, const struct around *p, const double *du, double *dE)
+{
+    double moved[3 * HOBE_MAX_VECTORS], there[2][STRESSES];
+    for (int side = 0; side < 2; side++) {
+        for (int i = 0; i < 3 * p->kernel->vectors; i++)
+            moved[i] = p->u[i] + (side ? -1 : 1) * du[i];
+        strain(p->N, p->Nx, (const double(*)[4])p->phi, p->q0, moved, there[side]);
+    }
+    for (int k = 0; k < STRESSES; k++)
+        dE[k] = (there[0][k] - there[1][k]) / 2;
+}
+
+/* Of a section: int S dA, and the strain eta of kernel.h with its weights E or G. */
+struct even {
+    double S[STRESSES], eta[STRESSES], weight[STRESSES];
+};
+
+/* At phi's point: S:dE dV; where the law is relieved of eta, S:d(eta) dV less, and it adds to the
+ * sums, the mean of eta being for the section as a whole. */
+static double point_work(const struct stress_section *s, const struct hobe_stress *stress,
+                         const hobe_section *section, int region, double volume, const double *du,
+                         struct even *even)
+{
+    double dE[STRESSES], eta[STRESSES] = {0}, work = 0;
+    change_of(s->around.kernel->strain, &s->around, du, dE);
+    if (s->law->relieved)
+        change_of(s->around.kernel->warping_strain, &s->around, du, eta);
+    for (int k = 0; k < STRESSES; k++) {
+        const double weight =
+            volume * (k < YZ ? hobe_section_E(section, region) : hobe_section_G(section, region));
+        work += volume * stress->S[k] * (dE[k] - eta[k]);
+        even->S[k] += volume * stress->S[k];
+        even->eta[k] += weight * eta[k];
+        even->weight[k] += weight;
+    }
+    return work;
+}
+
+/* int S:dE dV in the state u, dE along du, E the strain that the law acts on. */
 static double stress_work(hobe_solution *solution, const double *du, double *energy)
 {
     const struct beam *beam = model_beam(solution->model, 0);
     const struct hobe_invariants *inv = hobe_element_invariants(beam_law(beam, 0));
-    const int n = 3 * beam->kernel->vectors;
     double work = 0;
     *energy = 0;
     for (int g = 0; g < inv->stations; g++) {
-        struct stress_section s, moved;
+        struct stress_section s;
+        struct even even = {0};
         struct hobe_error err;
         struct hobe_rule rule;
         const double at = inv->xi[g];
@@ -215,24 +256,18 @@ static double stress_work(hobe_solution *solution, const double *du, double *ene
         if (hobe_section_rule(beam->spec.section, beam->kernel, beam->spec.integration, &place,
                               &rule, &err))
             check_stop("%s", err.message);
-        moved = s;
         for (int p = 0; p < rule.rule.points; p++) {
             const struct hobe_section_point *point = rule.point + p;
             struct hobe_stress here;
-            double change[2][STRESSES], F[3][3];
+            double F[3][3];
             if (stress_at(&s, point->y, point->z, point->region, &here, &err))
                 check_stop("%s", err.message);
             const double volume = inv->wx[g] * point->weight * around_gradient(&s.around, F);
-            for (int side = 0; side < 2; side++) {
-                for (int i = 0; i < n; i++)
-                    moved.around.u[i] = s.around.u[i] + (side ? -1 : 1) * du[i];
-                beam->kernel->strain(s.around.N, s.around.Nx, (const double(*)[4])s.around.phi,
-                                     s.around.q0, moved.around.u, change[side]);
-            }
-            for (int k = 0; k < STRESSES; k++)
-                work += volume * here.S[k] * (change[0][k] - change[1][k]) / 2;
+            work += point_work(&s, &here, beam->spec.section, point->region, volume, du, &even);
             *energy += volume * here.energy;
         }
+        for (int k = 0; k < STRESSES; k++)
+            work += even.S[k] * even.eta[k] / even.weight[k];
         hobe_rule_free(&rule);
     }
     return work;
