@@ -23,9 +23,11 @@ enum { HOBE_DISTORTIONS = 2 * HOBE_SECTION_FUNCTIONS };
  *
  * each less the forces of inertia that make it an equilibrium.  All are orthogonal to 1, y and z,
  * and v as large as y and z are themselves; zero where a section, such as a ring, has no such load.
- */
+ *
+ * *wall_bending: that of hobe_section_wall_bending, m^6: the work of the load 2 G/G_1 e_x x tau, an
+ * energy's by v at a unit twist rate, on the answer of a section of E/E_1. */
 enum hobe_status hobe_distortion(const hobe_section *section, const struct hobe_mesh *mesh,
                                  const double *w, const double centre[2], double *values,
-                                 struct hobe_error *err);
+                                 double *wall_bending, struct hobe_error *err);
 
 #endif
