@@ -202,18 +202,19 @@ static void hold(struct plane *s)
     s->held[2] = 2 * far + across;
 }
 
-/* k[2 NODES][2 NODES] of a point: E (eps_yy^2 + eps_zz^2) + G gamma_yz^2. */
+/* k[2 NODES][2 NODES] of a point: E (eps_yy^2 + eps_zz^2 + gamma_yz^2/2), the isotropic law without
+ * Poisson's coupling: walls at any angle bend alike. */
 static void add_stiffness(const struct plane *s, const struct point *p, struct hobe_mesh_matrix *K)
 {
     for (int i = 0; i < NODES; i++)
         for (int j = 0; j < NODES; j++) {
             const double *d = p->dN[i], *e = p->dN[j];
-            const double k[2][2] = {{p->E * d[0] * e[0] + p->G * d[1] * e[1], p->G * d[1] * e[0]},
-                                    {p->G * d[0] * e[1], p->E * d[1] * e[1] + p->G * d[0] * e[0]}};
+            const double k[2][2] = {{d[0] * e[0] + d[1] * e[1] / 2, d[1] * e[0] / 2},
+                                    {d[0] * e[1] / 2, d[1] * e[1] + d[0] * e[0] / 2}};
             for (int a = 0; a < 4; a++) {
                 const long row = 2 * p->node[i] + a / 2, column = 2 * p->node[j] + a % 2;
                 if (row == column || (!is_held(s, row) && !is_held(s, column)))
-                    hobe_mesh_matrix_add(K, row, column, p->weight * k[a / 2][a % 2]);
+                    hobe_mesh_matrix_add(K, row, column, p->weight * p->E * k[a / 2][a % 2]);
             }
         }
 }

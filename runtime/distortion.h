@@ -14,8 +14,8 @@ enum { HOBE_DISTORTIONS = 2 * HOBE_SECTION_FUNCTIONS };
  *
  * ww is the warping of the shear that restrained warping brings: -div G grad ww = E w, without flux
  * through the outline.  (v1y, v1z) and (v2y, v2z) are displacements of the section in its plane:
- * its elastic answer, without Poisson's coupling, to what a beam whose outline is rigid leaves
- * unbalanced there,
+ * its elastic answer, isotropic without Poisson's coupling, to what a beam whose outline is rigid
+ * leaves unbalanced there,
  *
  *     v1   tau, Saint-Venant's shear stress of a unit twist, as where the twist changes along x,
  *     v2   e_x x tau,                                        as where a great twist turns the

@@ -588,13 +588,14 @@ enum hobe_status hobe_solution_resultants(const hobe_solution *solution, const c
 
 /* How far a beam's walls bend where it is twisted most: in the element of the greatest mean twist
  * rate, less that of the reference.  See hobe_section_wall_bending, which it asks; it assumes an
- * even twist of a beam that is straight in the reference. */
+ * even twist of a beam that is straight in the reference.  A section that varies is solved anew for
+ * that place. */
 struct hobe_wall_bending {
     double at;           /* the middle of that element, a fraction of the beam's length */
     double twist_rate;   /* there, rad/m */
     double torque;       /* by its nodal forces, N m */
-    double loss;         /* what wall bending would take of the torque at that twist rate, as a
-                            fraction of it; 0 where the element's modes v2y and v2z bend the walls */
+    double loss;         /* the fraction of the torque at that twist rate that wall bending would
+                            take; 0 where the element has the modes v2y and v2z for that */
     double limit_torque; /* at which the outline collapses, N m; INFINITY where it does not */
 };
 enum hobe_status hobe_solution_wall_bending(const hobe_solution *solution, const char *beam,

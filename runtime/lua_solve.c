@@ -327,15 +327,15 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "`limit_torque`, N m, at which the outline collapses, `math.huge` where it does not.  "
      "Estimated from `section:wall_bending()` for an even twist of a straight beam; shear buckling "
      "of a wide wall may come earlier.  `hobe.static` and `hobe.path` warn where `loss` is more "
-     "than 0.05, and beyond the limit torque, on standard error and in a note.  Not of sections "
-     "that vary along the beam.",
+     "than 0.05, and beyond the limit torque, on standard error and in a note, but not of sections "
+     "that vary along the beam, whose solution takes too long to be asked always.",
      NULL, NULL},
     {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
     {0}};
 
 /* Warns of a beam in a state where that is worse than what was `told` of it; returns the worse. */
 static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const char *beam,
-                              enum hobe_warning told, const char *when)
+                              const char *when, enum hobe_warning told)
 {
     enum hobe_warning warning;
     struct hobe_error err;
@@ -348,7 +348,7 @@ static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const
         hobe_lua_raise(L, &err);
     if (warning <= told)
         return told;
-    hobe_lua_warn(L, lua_pushfstring(L, "%s%s", when, text));
+    hobe_lua_warn(L, lua_pushfstring(L, "%s%s", text, when));
     lua_pop(L, 1);
     return warning;
 }
@@ -365,8 +365,8 @@ static void warn_along(lua_State *L, const hobe_model *model)
             struct hobe_solution_info info;
             char when[60];
             hobe_solution_info(result->solution, &info);
-            snprintf(when, sizeof when, "at %.3g of the load, ", info.load);
-            told = warn(L, result->solution, beam, told, when);
+            snprintf(when, sizeof when, " (load factor %.3g)", info.load);
+            told = warn(L, result->solution, beam, when, told);
             lua_pop(L, 1);
         }
         lua_pop(L, 1);
@@ -446,7 +446,7 @@ static int solve_static(lua_State *L)
         hobe_lua_raise(L, &err);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
-        warn(L, result->solution, beam, HOBE_WARNING_NONE, "");
+        warn(L, result->solution, beam, "", HOBE_WARNING_NONE);
     return 1;
 }
 

@@ -54,18 +54,22 @@ static double mean_twist_rate(const hobe_solution *solution, const struct beam *
     return rate[fabs(rate[1]) < fabs(rate[0])] / length;
 }
 
-/* The first element with the greatest, and that rate; less than TIE times it is no more. */
-static int most_twisted(const hobe_solution *solution, const struct beam *beam, double *rate)
+/* The first element with the greatest, less than TIE times which is no more; sets at and
+ * twist_rate.
+ */
+static int most_twisted(const hobe_solution *solution, const struct beam *beam,
+                        struct hobe_wall_bending *b)
 {
     int most = 0;
-    *rate = 0;
+    b->twist_rate = 0;
     for (int e = 0; e < beam->spec.elements; e++) {
-        const double kappa = mean_twist_rate(solution, beam, e);
-        if (fabs(kappa) > TIE * fabs(*rate)) {
-            *rate = kappa;
+        const double rate = mean_twist_rate(solution, beam, e);
+        if (fabs(rate) > TIE * fabs(b->twist_rate)) {
+            b->twist_rate = rate;
             most = e;
         }
     }
+    b->at = (most + 0.5) / beam->spec.elements;
     return most;
 }
 
@@ -77,11 +81,10 @@ static int has_mode(const struct hobe_kernel *kernel, const char *name)
     return 0;
 }
 
-/* Sets loss and limit_torque by the twist rate. */
-static enum hobe_status estimate(const struct beam *beam, struct hobe_wall_bending *b,
-                                 struct hobe_error *err)
+/* Sets loss and limit_torque by the twist rate, on the section where that is. */
+static enum hobe_status estimate(const struct beam *beam, const hobe_section *section,
+                                 struct hobe_wall_bending *b, struct hobe_error *err)
 {
-    const struct hobe_section *section = beam->spec.section;
     const struct hobe_material *own = hobe_section_material(section, 0);
     const struct hobe_material *m = own ? own : &beam->spec.material;
     const double G = m->E / (2 * (1 + m->nu)), GJ = G * section->properties.J;
@@ -98,16 +101,29 @@ static enum hobe_status estimate(const struct beam *beam, struct hobe_wall_bendi
     return HOBE_OK;
 }
 
-/* All but what estimate sets. */
-static enum hobe_status look(const hobe_solution *solution, const struct beam *beam,
-                             struct hobe_wall_bending *b, struct hobe_error *err)
+static enum hobe_status estimate_there(const struct beam *beam, struct hobe_wall_bending *b,
+                                       struct hobe_error *err)
 {
-    struct hobe_resultants cut;
-    const int e = most_twisted(solution, beam, &b->twist_rate);
-    b->at = (e + 0.5) / beam->spec.elements;
-    const enum hobe_status status = hobe_solution_resultants(
-        solution, beam->name, (e + 1.0) / beam->spec.elements, HOBE_CUT_FORCES, &cut, err);
-    b->torque = status ? 0 : cut.moment[0];
+    const hobe_section *section = beam->spec.section;
+    if (!hobe_section_varies(section))
+        return estimate(beam, section, b, err);
+    hobe_section *there = hobe_section_at(section, b->at, err);
+    const enum hobe_status status = there ? estimate(beam, there, b, err)
+                                    : err ? err->status
+                                          : HOBE_NO_MEMORY;
+    hobe_section_free(there);
+    return status;
+}
+
+/* Sets the torque at the end of the most twisted element. */
+static enum hobe_status cut(const hobe_solution *solution, const struct beam *beam, int element,
+                            struct hobe_wall_bending *b, struct hobe_error *err)
+{
+    struct hobe_resultants resultants;
+    const enum hobe_status status =
+        hobe_solution_resultants(solution, beam->name, (element + 1.0) / beam->spec.elements,
+                                 HOBE_CUT_FORCES, &resultants, err);
+    b->torque = status ? 0 : resultants.moment[0];
     return status;
 }
 
@@ -118,8 +134,9 @@ enum hobe_status hobe_solution_wall_bending(const hobe_solution *solution, const
     const struct beam *beam = model_find_beam(solution->model, name, NULL, err);
     if (!beam)
         return HOBE_UNKNOWN;
-    const enum hobe_status status = look(solution, beam, bending, err);
-    return status ? status : estimate(beam, bending, err);
+    const int element = most_twisted(solution, beam, bending);
+    const enum hobe_status status = estimate_there(beam, bending, err);
+    return status ? status : cut(solution, beam, element, bending, err);
 }
 
 /* ---- the warning ---------------------------------------------------------------------------- */
@@ -130,7 +147,7 @@ static void tell(const struct beam *beam, const struct hobe_wall_bending *b,
     char limit[80] = "";
     if (warning == HOBE_WARNING_COLLAPSED)
         snprintf(text, size,
-                 "beam %s: its torque at %.3g of its length, %.4g N m, is beyond about %.3g N m, "
+                 "beam %s: at %.3g of its length its torque, %.4g N m, is beyond about %.3g N m, "
                  "where the bent walls give way and the outline collapses: this result means "
                  "nothing; use less load, or a solid or shell model",
                  beam->name, b->at, fabs(b->torque), b->limit_torque);
@@ -140,10 +157,10 @@ static void tell(const struct beam *beam, const struct hobe_wall_bending *b,
         snprintf(limit, sizeof limit, ", and at about %.3g N m the outline collapses",
                  b->limit_torque);
     snprintf(text, size,
-             "beam %s: a torque of %.4g N m twists it by %.3g rad/m at %.3g of its length, where "
-             "its walls bend, which element %s does not: that would take %.2g %% of the torque%s; "
-             "use a solid or shell model or, in a long beam, an element with v2y and v2z",
-             beam->name, fabs(b->torque), fabs(b->twist_rate), b->at, beam->kernel->name,
+             "beam %s: at %.3g of its length a torque of %.4g N m twists it by %.3g rad/m, which "
+             "bends its walls; element %s keeps them straight and is about %.2g %% too stiff "
+             "there%s: use a solid or shell model or, in a long beam, an element with v2y and v2z",
+             beam->name, b->at, fabs(b->torque), fabs(b->twist_rate), beam->kernel->name,
              100 * b->loss, limit);
 }
 
@@ -155,25 +172,36 @@ static int worth_asking(const struct beam *beam, double rate)
     return !hobe_section_varies(section) && fabs(rate) * extent > SLIGHT;
 }
 
+/* What is to be said, in order of cost. */
+static enum hobe_status judge(const hobe_solution *solution, const struct beam *beam,
+                              struct hobe_wall_bending *b, enum hobe_warning *warning,
+                              struct hobe_error *err)
+{
+    const int element = most_twisted(solution, beam, b);
+    if (!worth_asking(beam, b->twist_rate))
+        return HOBE_OK;
+    enum hobe_status status = estimate_there(beam, b, err);
+    if (status || (b->loss < NOTICEABLE && b->limit_torque == INFINITY))
+        return status;
+    status = cut(solution, beam, element, b, err);
+    if (!status && fabs(b->torque) > b->limit_torque)
+        *warning = HOBE_WARNING_COLLAPSED;
+    else if (!status && b->loss >= NOTICEABLE)
+        *warning = HOBE_WARNING_BENDS;
+    return status;
+}
+
 enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char *name,
                                        enum hobe_warning *warning, char *text, size_t size,
                                        struct hobe_error *err)
 {
     struct hobe_wall_bending bending;
     const struct beam *beam = model_find_beam(solution->model, name, NULL, err);
-    snprintf(text, size, "%s", "");
     *warning = HOBE_WARNING_NONE;
+    snprintf(text, size, "%s", "");
     if (!beam)
         return HOBE_UNKNOWN;
-    enum hobe_status status = look(solution, beam, &bending, err);
-    if (status || !worth_asking(beam, bending.twist_rate))
-        return status;
-    status = estimate(beam, &bending, err);
-    if (status)
-        return status;
-    *warning = fabs(bending.torque) > bending.limit_torque ? HOBE_WARNING_COLLAPSED
-               : bending.loss >= NOTICEABLE                ? HOBE_WARNING_BENDS
-                                                           : HOBE_WARNING_NONE;
+    const enum hobe_status status = judge(solution, beam, &bending, warning, err);
     tell(beam, &bending, *warning, text, size);
-    return HOBE_OK;
+    return status;
 }
