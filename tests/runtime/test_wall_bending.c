@@ -119,10 +119,10 @@ static void angles(void)
 /* A frame about a core next to nothing, of another material; lengths go with the sixth power. */
 static void weights(void)
 {
-    const struct hobe_material wall = {1, NU, 0, 1, 1, 0}, nothing = {1e-8, NU, 0, 1, 1, 0};
+    const struct hobe_material solid = {1, NU, 0, 1, 1, 0}, nothing = {1e-8, NU, 0, 1, 1, 0};
     struct hobe_error err;
     hobe_section *frame = hollow(0.3, 0.2, 0.02), *core = rectangle(0.26, 0.16);
-    const struct hobe_section_part parts[] = {{frame, {0, 0}, wall}, {core, {0, 0}, nothing}};
+    const struct hobe_section_part parts[] = {{frame, {0, 0}, solid}, {core, {0, 0}, nothing}};
     const double both = bending_of(made(hobe_section_composite(2, parts, &err), &err));
     const double alone = bending_of(frame);
     hobe_section_free(core);
@@ -139,24 +139,15 @@ struct bar {
     hobe_function *twist; /* of the reference; NULL: straight */
 };
 
-/* The state of a cantilever of 2 m that may warp under an end moment, its model in *model. */
-static hobe_solution *twist(const struct bar *bar, hobe_model **model)
+/* A straight axis of 2 m whose section turns. */
+static hobe_curve *turning(hobe_function *twist)
 {
     static const double ends[2][3] = {{0, 0, 0}, {2, 0, 0}};
-    struct hobe_beam beam = beam_along_x(bar->element, 10, bar->section, bar->E, NU, 2);
     struct hobe_error err;
-    hobe_curve *curve = NULL;
-    if (bar->twist) {
-        curve = hobe_curve_points(2, ends, &err);
-        if (!curve || hobe_curve_twist(curve, bar->twist, NULL, &err))
-            check_stop("%s", err.message);
-        beam.curve = curve;
-    }
-    *model = cantilever(&beam, 1);
-    add_moment(*model, "beam", 1, bar->torque, 0, 0);
-    hobe_solution *solution = solve(*model, 1);
-    hobe_curve_free(curve);
-    return solution;
+    hobe_curve *curve = hobe_curve_points(2, ends, &err);
+    if (!curve || hobe_curve_twist(curve, twist, NULL, &err))
+        check_stop("%s", err.message);
+    return curve;
 }
 
 struct told {
@@ -165,21 +156,27 @@ struct told {
     char text[600];
 };
 
-/* What there is to tell of such a bar. */
+/* What there is to tell of a cantilever of 2 m that may warp under an end moment. */
 static struct told tell(const struct bar *bar)
 {
     struct told told;
+    struct hobe_wall_bending none;
     struct hobe_error err;
-    hobe_model *model;
-    hobe_solution *solution = twist(bar, &model);
+    struct hobe_beam beam = beam_along_x(bar->element, 10, bar->section, bar->E, NU, 2);
+    hobe_curve *curve = bar->twist ? turning(bar->twist) : NULL;
+    beam.curve = curve;
+    hobe_model *model = cantilever(&beam, 1);
+    add_moment(model, "beam", 1, bar->torque, 0, 0);
+    hobe_solution *solution = solve(model, 1);
     if (hobe_solution_wall_bending(solution, "beam", &told.is, &err) ||
         hobe_solution_warning(solution, "beam", &told.warning, told.text, sizeof told.text, &err))
         check_stop("%s", err.message);
-    check_that(hobe_solution_wall_bending(solution, "bean", &told.is, &err) == HOBE_UNKNOWN &&
+    check_that(hobe_solution_wall_bending(solution, "bean", &none, &err) == HOBE_UNKNOWN &&
                    strstr(err.message, "bean"),
                "a beam that is not there");
     hobe_solution_free(solution);
     hobe_model_free(model);
+    hobe_curve_free(curve);
     hobe_section_free(bar->section);
     return told;
 }
@@ -203,8 +200,9 @@ static void solids(void)
 static void cubic(const char *element)
 {
     const double E = random_real(1e9, 2e11), G = E / 2 / (1 + NU), torque = -E * 1e-7;
-    const struct hobe_section_properties p = properties_of(hollow(.25, .05, .005));
-    const double C = bending_of(hollow(.25, .05, .005)) * (1 - NU * NU) * G * G / E;
+    hobe_section *box = hollow(.25, .05, .005);
+    const struct hobe_section_properties p = properties_of(box);
+    const double C = bending_of(box) * (1 - NU * NU) * G * G / E;
     const struct told told = tell(&(struct bar){element, hollow(.25, .05, .005), E, torque, NULL});
     const double kappa = told.is.twist_rate, linear = G * p.J, third = E * p.Wagner / 2 - 2 * C;
     const double top = sqrt(-linear / (3 * third)),
