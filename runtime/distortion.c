@@ -202,18 +202,19 @@ static void hold(struct plane *s)
     s->held[2] = 2 * far + across;
 }
 
-/* k[2 NODES][2 NODES] of a point: E (eps_yy^2 + eps_zz^2) + G gamma_yz^2. */
+/* k[2 NODES][2 NODES] of a point: E (eps_yy^2 + eps_zz^2 + gamma_yz^2/2), the isotropic law without
+ * Poisson's coupling: walls at any angle bend alike. */
 static void add_stiffness(const struct plane *s, const struct point *p, struct hobe_mesh_matrix *K)
 {
     for (int i = 0; i < NODES; i++)
         for (int j = 0; j < NODES; j++) {
             const double *d = p->dN[i], *e = p->dN[j];
-            const double k[2][2] = {{p->E * d[0] * e[0] + p->G * d[1] * e[1], p->G * d[1] * e[0]},
-                                    {p->G * d[0] * e[1], p->E * d[1] * e[1] + p->G * d[0] * e[0]}};
+            const double k[2][2] = {{d[0] * e[0] + d[1] * e[1] / 2, d[1] * e[0] / 2},
+                                    {d[0] * e[1] / 2, d[1] * e[1] + d[0] * e[0] / 2}};
             for (int a = 0; a < 4; a++) {
                 const long row = 2 * p->node[i] + a / 2, column = 2 * p->node[j] + a % 2;
                 if (row == column || (!is_held(s, row) && !is_held(s, column)))
-                    hobe_mesh_matrix_add(K, row, column, p->weight * k[a / 2][a % 2]);
+                    hobe_mesh_matrix_add(K, row, column, p->weight * p->E * k[a / 2][a % 2]);
             }
         }
 }
@@ -287,7 +288,9 @@ static void keep(const struct plane *s, int l, const double *x, double *v)
         v[i] *= loaded && square > 0 ? sqrt(s->A[2][2] / square) : 0;
 }
 
-static enum hobe_status solve_plane(struct plane *s, double *v, struct hobe_error *err)
+/* v[LOADS][2][nodes], and the work of each load on its answer, work[LOADS]. */
+static enum hobe_status solve_plane(struct plane *s, double *v, double *work,
+                                    struct hobe_error *err)
 {
     const int nodes = s->mesh->nodes;
     struct hobe_mesh_matrix K;
@@ -297,14 +300,20 @@ static enum hobe_status solve_plane(struct plane *s, double *v, struct hobe_erro
     if (!status && x) {
         hold(s);
         assemble(s, &K, x);
+        memcpy(v, x,
+               2 * LOADS * (size_t)nodes * sizeof *v); /* the loads, until they are answered */
         hobe_mesh_matrix_close(&K);
         solver = hobe_mesh_matrix_factor(&K, err);
     }
     status = solver ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
     for (int l = 0; !status && l < LOADS; l++) {
-        status = hobe_linsolve_solve(solver, x + 2 * l * nodes, err);
+        const int first = 2 * l * nodes;
+        status = hobe_linsolve_solve(solver, x + first, err);
+        work[l] = 0;
+        for (int i = first; i < first + 2 * nodes; i++)
+            work[l] += v[i] * x[i];
         if (!status)
-            keep(s, l, x + 2 * l * nodes, v + 2 * l * nodes);
+            keep(s, l, x + first, v + first);
     }
     hobe_linsolve_free(solver);
     hobe_mesh_matrix_free(&K);
@@ -314,16 +323,19 @@ static enum hobe_status solve_plane(struct plane *s, double *v, struct hobe_erro
 
 enum hobe_status hobe_distortion(const hobe_section *section, const struct hobe_mesh *mesh,
                                  const double *w, const double centre[2], double *values,
-                                 struct hobe_error *err)
+                                 double *wall_bending, struct hobe_error *err)
 {
+    double work[LOADS];
     const size_t nodes = (size_t)mesh->nodes;
     struct plane s = {.section = section, .mesh = mesh, .w = w, .centre = centre};
     memset(values, 0, HOBE_DISTORTIONS * nodes * sizeof *values);
     rigid_gram(section, mesh, s.A);
     set_rigid_parts(&s);
-    const enum hobe_status status = solve_axial(section, mesh, w, values, err);
+    enum hobe_status status = solve_axial(section, mesh, w, values, err);
     if (status)
         return status;
     orthogonalise(&s, values);
-    return solve_plane(&s, values + nodes, err);
+    status = solve_plane(&s, values + nodes, work, err);
+    *wall_bending = 4 * work[1]; /* of twice the load of v2 */
+    return status;
 }

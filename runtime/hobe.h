@@ -158,6 +158,25 @@ const char *hobe_section_text(const hobe_section *section);
 enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
                                        double z, double *f, struct hobe_error *err);
 
+/* How far the walls of a section bend in torsion.  A twist rate kappa turns Saint-Venant's shear
+ * stress tau from one section to the next, which loads the walls by 2 kappa tau x e_x per volume:
+ * in a closed thin wall with the shear flow q, by a pressure 2 q kappa.  A beam whose outline is
+ * rigid does not see it.  The section's elastic answer, small and alike along the beam, takes the
+ * energy (1/2) C kappa^4 per length, C = *c (1 - nu^2) G^2/E, with E, G and nu those of the beam or
+ * of the first part; walls bent in a long beam stay plane along it, hence the E/(1 - nu^2).  With
+ * Wagner's stress
+ *
+ *     T = G J kappa + (1/2 E Wagner - 2 C) kappa^3,
+ *
+ * which has a greatest torque where 4 C > E Wagner, as Brazier's tube has a greatest moment: there
+ * the outline collapses.  Shear buckling of a wall may come earlier.
+ *
+ * *c in m^6, weighted with E/E_1 and G/G_1; 0 of rectangles, circles and tubes in closed form.
+ * Solved by finite elements when it is first asked for, which takes about as long as the section
+ * itself.  HOBE_UNKNOWN of outlines that vary along the beam. */
+enum hobe_status hobe_section_wall_bending(const hobe_section *section, double *c,
+                                           struct hobe_error *err);
+
 /* ---- materials (material.c) ----------------------------------------------------------------- */
 
 struct hobe_material {
@@ -569,6 +588,37 @@ enum hobe_status hobe_solution_resultants(const hobe_solution *solution, const c
                                           double at, enum hobe_cut cut,
                                           struct hobe_resultants *resultants,
                                           struct hobe_error *err);
+
+/* How far a beam's walls bend where it is twisted most: in the element of the greatest mean twist
+ * rate, less that of the reference.  See hobe_section_wall_bending, which it asks; it assumes an
+ * even twist of a beam that is straight in the reference.  A section that varies is solved anew for
+ * that place. */
+struct hobe_wall_bending {
+    double at;           /* the middle of that element, a fraction of the beam's length */
+    double twist_rate;   /* there, rad/m */
+    double torque;       /* by its nodal forces, N m */
+    double loss;         /* the fraction of the torque at that twist rate that wall bending would
+                            take; 0 where the element has the modes v2y and v2z for that */
+    double limit_torque; /* at which the outline collapses, N m; INFINITY where it does not */
+};
+enum hobe_status hobe_solution_wall_bending(const hobe_solution *solution, const char *beam,
+                                            struct hobe_wall_bending *bending,
+                                            struct hobe_error *err);
+
+/* What must not be overlooked about a beam in a state. */
+enum hobe_warning {
+    HOBE_WARNING_NONE,
+    HOBE_WARNING_BENDS,    /* wall bending would take 1/20 of the torque or more */
+    HOBE_WARNING_COLLAPSED /* the torque is beyond the limit torque */
+};
+
+/* The warning and its sentence, "" of none.  Cheap where the beam is hardly twisted: walls are
+ * asked only where the section's extent times the twist rate is more than 0.001 rad, which bends
+ * even walls that are a thousand times as wide as thick by less than would be told.  Sections that
+ * vary along the beam are not asked. */
+enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char *beam,
+                                       enum hobe_warning *warning, char *text, size_t size,
+                                       struct hobe_error *err);
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);

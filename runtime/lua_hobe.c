@@ -49,7 +49,7 @@ void hobe_lua_push_store(lua_State *L, enum hobe_lua_store store)
     lua_remove(L, -2);
 }
 
-void hobe_lua_note(lua_State *L, const char *format, ...)
+int hobe_lua_note(lua_State *L, const char *format, ...)
 {
     char line[1200];
     va_list args;
@@ -57,13 +57,24 @@ void hobe_lua_note(lua_State *L, const char *format, ...)
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
     hobe_lua_push_store(L, HOBE_LUA_NOTES);
-    if (lua_getfield(L, -1, line) == LUA_TNIL) {
+    const int is_new = lua_getfield(L, -1, line) == LUA_TNIL;
+    if (is_new) {
         lua_pushboolean(L, 1);
         lua_setfield(L, -3, line);
         lua_pushstring(L, line);
         lua_rawseti(L, -3, (lua_Integer)lua_rawlen(L, -3) + 1);
     }
     lua_pop(L, 2);
+    return is_new;
+}
+
+void hobe_lua_warn(lua_State *L, const char *text)
+{
+    if (!hobe_lua_note(L, "%s", text))
+        return;
+    hobe_lua_where(L);
+    fprintf(stderr, "%s: warning: %s\n", lua_tostring(L, -1), text);
+    lua_pop(L, 1);
 }
 
 /* ---- errors --------------------------------------------------------------------------------- */

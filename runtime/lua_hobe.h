@@ -104,8 +104,13 @@ enum hobe_lua_store {
 };
 void hobe_lua_push_store(lua_State *L, enum hobe_lua_store store);
 
-/* Remembers a line that people should see with the results; the same line only once. */
-void hobe_lua_note(lua_State *L, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Remembers a line that people should see with the results; the same line only once.  Whether it is
+ * new. */
+int hobe_lua_note(lua_State *L, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* The same, and writes it to standard error with the place in the script: whoever takes the numbers
+ * alone should see it, too. */
+void hobe_lua_warn(lua_State *L, const char *text);
 
 /* ---- files for the end of the run (lua_files.c) --------------------------------------------- */
 

@@ -271,6 +271,26 @@ static int resultants(lua_State *L)
     return 1;
 }
 
+/* r:wall_bending(beam) */
+static int wall_bending(lua_State *L)
+{
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_wall_bending is;
+    struct hobe_error err;
+    const char *beam = hobe_lua_text(L, 2, "wall_bending: the beam");
+    hobe_lua_pause_clock();
+    const enum hobe_status status = hobe_solution_wall_bending(result->solution, beam, &is, &err);
+    hobe_lua_resume_clock();
+    if (status)
+        hobe_lua_raise(L, &err);
+    return push_parts(L, (const struct part[]){{"at", &is.at, 1},
+                                               {"twist_rate", &is.twist_rate, 1},
+                                               {"torque", &is.torque, 1},
+                                               {"loss", &is.loss, 1},
+                                               {"limit_torque", &is.limit_torque, 1},
+                                               {0}});
+}
+
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"displacement", displacement, "r:displacement(beam, at [, y, z])",
      "`{u1, u2, u3}`, m, global axes, at the fraction `at` of the beam's length; of the axis, or "
@@ -299,8 +319,59 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "exactly as the iteration has converged, at ends of elements, where it is the default; "
      "`\"stress\"`, the integral of the traction, anywhere, which converges with the elements.",
      NULL, NULL},
+    {"wall_bending", wall_bending, "r:wall_bending(beam)",
+     "How far the beam's walls bend where it is twisted most, which an element whose outline is "
+     "rigid does not know: `at`, the middle of that element, a fraction of the length; its "
+     "`twist_rate`, rad/m, and `torque`, N m; `loss`, what the bending of the walls would take of "
+     "the torque at that twist rate, a fraction, 0 where the element has the modes v2y and v2z; "
+     "`limit_torque`, N m, at which the outline collapses, `math.huge` where it does not.  "
+     "Estimated from `section:wall_bending()` for an even twist of a straight beam; shear buckling "
+     "of a wide wall may come earlier.  `hobe.static` and `hobe.path` warn where `loss` is more "
+     "than 0.05, and beyond the limit torque, on standard error and in a note, but not of sections "
+     "that vary along the beam, whose solution takes too long to be asked always.",
+     NULL, NULL},
     {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
     {0}};
+
+/* Warns of a beam in a state where that is worse than what was `told` of it; returns the worse. */
+static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const char *beam,
+                              const char *when, enum hobe_warning told)
+{
+    enum hobe_warning warning;
+    struct hobe_error err;
+    char text[600];
+    hobe_lua_pause_clock();
+    const enum hobe_status status =
+        hobe_solution_warning(solution, beam, &warning, text, sizeof text, &err);
+    hobe_lua_resume_clock();
+    if (status)
+        hobe_lua_raise(L, &err);
+    if (warning <= told)
+        return told;
+    hobe_lua_warn(L, lua_pushfstring(L, "%s%s", text, when));
+    lua_pop(L, 1);
+    return warning;
+}
+
+/* Warns of each beam of a model at the points of the path on top of the stack, where it gets worse.
+ */
+static void warn_along(lua_State *L, const hobe_model *model)
+{
+    const char *beam;
+    for (int b = 0; (beam = hobe_model_beam_name(model, b)); b++) {
+        enum hobe_warning told = HOBE_WARNING_NONE;
+        for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; i++) {
+            const struct result *result = lua_touserdata(L, -1);
+            struct hobe_solution_info info;
+            char when[60];
+            hobe_solution_info(result->solution, &info);
+            snprintf(when, sizeof when, " (load factor %.3g)", info.load);
+            told = warn(L, result->solution, beam, when, told);
+            lua_pop(L, 1);
+        }
+        lua_pop(L, 1);
+    }
+}
 
 /* Pushes a result that is still empty, of the scene at index 1. */
 static struct result *new_result(lua_State *L, const hobe_model *model)
@@ -373,6 +444,9 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
+    const char *beam;
+    for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
+        warn(L, result->solution, beam, "", HOBE_WARNING_NONE);
     return 1;
 }
 
@@ -479,6 +553,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     lua_pushinteger(L, info.cutbacks);
     lua_setfield(L, -2, "cutbacks");
     set_events(L, path);
+    warn_along(L, model);
     if (info.end == HOBE_PATH_STEPS)
         hobe_lua_note(L, "the path ends after its %d steps, short of its end; give it more steps",
                       info.points);

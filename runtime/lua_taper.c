@@ -77,8 +77,29 @@ static int at(lua_State *L)
     return 1;
 }
 
+/* section:wall_bending() */
+static int wall_bending(lua_State *L)
+{
+    struct hobe_error err;
+    hobe_section *const *section = luaL_checkudata(L, 1, HOBE_LUA_SECTION);
+    double c;
+    hobe_lua_pause_clock();
+    const enum hobe_status status = hobe_section_wall_bending(*section, &c, &err);
+    hobe_lua_resume_clock();
+    if (status)
+        hobe_lua_raise(L, &err);
+    lua_pushnumber(L, c);
+    return 1;
+}
+
 const struct hobe_lua_entry hobe_lua_section_methods[] = {
     {"at", at, "section:at(t)", "The section that a taper has at the fraction t of its length.",
+     NULL, NULL},
+    {"wall_bending", wall_bending, "section:wall_bending()",
+     "How easily the walls bend in torsion, c, m^6: a twist rate kappa loads them by "
+     "2 kappa times the shear stress, inwards, and what they give takes "
+     "2 C kappa^3, C = c (1 - nu^2) G^2/E, of the torque G J kappa.  By finite elements when it is "
+     "first asked for; 0 of rectangles, circles and tubes.",
      NULL, NULL},
     {0}};
 

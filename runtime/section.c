@@ -56,8 +56,15 @@ static int find_function(const char *name)
     return i;
 }
 
-/* Has the section make a function, if it is not there from the start.  Rectangles and rings are too
- * stout to distort: theirs are zero. */
+/* Rectangles and rings are too stout to distort: their functions of it are zero. */
+enum hobe_status hobe_section_wall_bending(const hobe_section *section, double *c,
+                                           struct hobe_error *err)
+{
+    *c = 0;
+    return section->kind->distort ? section->kind->distort(section, c, err) : HOBE_OK;
+}
+
+/* Has the section make a function, if it is not there from the start. */
 static enum hobe_status prepare(const hobe_section *section, const char *name,
                                 struct hobe_error *err)
 {
@@ -67,9 +74,9 @@ static enum hobe_status prepare(const hobe_section *section, const char *name,
                          "a section has no function %s; it has w, wy and wz, and of a solved "
                          "outline ww, v1y, v1z, v2y and v2z",
                          name);
-    if (slot < HOBE_SECTION_FUNCTIONS)
-        return HOBE_OK;
-    return section->kind->distort ? section->kind->distort(section, err) : HOBE_OK;
+    double wall_bending;
+    return slot < HOBE_SECTION_FUNCTIONS ? HOBE_OK
+                                         : hobe_section_wall_bending(section, &wall_bending, err);
 }
 
 static enum hobe_status check_functions(const hobe_section *section,

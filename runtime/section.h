@@ -117,8 +117,9 @@ struct hobe_section_kind {
                                 struct hobe_surface *surface,
                                 struct hobe_error *err); /* hobe_section_surface */
     /* Makes the functions from HOBE_WW on, which cost more than most beams are worth, and keeps
-     * them; NULL: they are zero. */
-    enum hobe_status (*distort)(const hobe_section *section, struct hobe_error *err);
+     * them, with the *wall_bending of hobe_section_wall_bending; NULL: all are zero. */
+    enum hobe_status (*distort)(const hobe_section *section, double *wall_bending,
+                                struct hobe_error *err);
     void (*close)(hobe_section *section); /* frees what the kind added; may be NULL */
     const struct hobe_section_sizes
         *sizes; /* of a kind that can taper (section_taper.h), or NULL */

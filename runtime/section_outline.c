@@ -200,7 +200,8 @@ static enum hobe_status surface(const hobe_section *section, int fineness,
 }
 
 /* Sections are shared by threads: who asks first solves. */
-static enum hobe_status distort(const hobe_section *section, struct hobe_error *err)
+static enum hobe_status distort(const hobe_section *section, double *wall_bending,
+                                struct hobe_error *err)
 {
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     struct shape *s = owner((const struct shape *)section);
@@ -210,13 +211,15 @@ static enum hobe_status distort(const hobe_section *section, struct hobe_error *
     pthread_mutex_lock(&lock);
     if (!s->distortion) {
         double *values = hobe_alloc(HOBE_DISTORTIONS * nodes, sizeof *values, err);
-        status = values ? hobe_distortion(section, &s->mesh, s->values, centre, values, err)
+        status = values ? hobe_distortion(section, &s->mesh, s->values, centre, values,
+                                          &s->wall_bending, err)
                         : HOBE_NO_MEMORY;
         if (status)
             hobe_free(values);
         else
             s->distortion = values;
     }
+    *wall_bending = s->wall_bending;
     pthread_mutex_unlock(&lock);
     return status;
 }

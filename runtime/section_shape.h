@@ -17,6 +17,7 @@ struct shape {
     struct hobe_parts parts;
     int paper;                    /* w is the parts' */
     _Atomic(double *) distortion; /* [HOBE_DISTORTIONS][mesh.nodes] once asked for, of who solved */
+    double wall_bending;          /* hobe_section_wall_bending, where those are there */
     const hobe_section *shared;   /* all that is pointed to belongs to this section; or NULL */
 };
 

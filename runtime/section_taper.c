@@ -292,12 +292,16 @@ static enum hobe_status surface_at(const hobe_section *section, double at, int f
 }
 
 /* Those of closed forms are zero; solved ones do not follow an outline along the beam. */
-static enum hobe_status distort(const hobe_section *section, struct hobe_error *err)
+static enum hobe_status distort(const hobe_section *section, double *wall_bending,
+                                struct hobe_error *err)
 {
+    *wall_bending = 0;
     if (!field_of(as_taper(section)))
         return HOBE_OK;
-    return hobe_fail(err, HOBE_UNKNOWN, NULL,
-                     "an outline that varies along the beam has the functions w, wy and wz only");
+    return hobe_fail(
+        err, HOBE_UNKNOWN, NULL,
+        "an outline that varies along the beam has the functions w, wy and wz only, and "
+        "does not know how its walls bend");
 }
 
 static void close_taper(hobe_section *section)

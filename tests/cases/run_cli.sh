@@ -288,6 +288,34 @@ echo 'error "where"' >"$long/case.lua"
 run 1 run "$long/case.lua"       # Lua would shorten the name
 has stderr "^hobe: $long/case.lua:1: where\$"
 
+# ---- warnings -----------------------------------------------------------------------------------
+
+cat >box.lua <<'END'
+local hobe = require "hobe"
+local T = hobe.param("T", 20)
+local scene = hobe.scene{
+  hobe.beam{ name = "box", element = "MGD30w", elements = 4,
+             section = hobe.box{ width = 0.25, height = 0.05, thickness = 0.005 },
+             material = { E = 1e9, nu = 0.3 }, from = {0, 0, 0}, to = {2, 0, 0} },
+  hobe.clamp{ "box", at = 0 },
+  hobe.moment{ "box", at = 1, value = {T, 0, 0} },
+}
+local r = hobe.static(scene)
+hobe.report{ torque = r:wall_bending("box").torque }
+hobe.path(scene, { arc = 0.2 })
+END
+run 0 run box.lua
+is stderr ""
+lacks stdout 'walls'
+run 0 run box.lua T=150 --format json
+has stderr '^box\.lua:10: warning: beam box: .* of 150 N m .* element MGD30w .* collapses'
+has stderr '^box\.lua:12: warning: beam box: .* \(load factor [0-9.]+\)$'
+lacks stdout 'walls'
+[ "$(wc -l <stderr)" -eq 2 ] || complain "not one warning of the state, one of the path"
+run 0 run box.lua T=800
+has stdout '^beam box: .* 800 N m, is beyond .* means nothing'
+[ "$(wc -l <stderr)" -le 3 ] || complain "a path warns where it gets worse, no more"
+
 # ---- stock Lua ----------------------------------------------------------------------------------
 
 # A module built with gcc's sanitizers needs theirs to be loaded first; clang's cannot be.

@@ -60,13 +60,13 @@ static void load(const struct hobe_section_point *p, double G, const double cent
     b[1] = G * (l ? tau[0] : tau[1]);
 }
 
-/* In-plane stiffness of v against phi e_a. */
-static double stiffness(const struct hobe_section_point *p, double E, double G, int l, int a,
+/* In-plane stiffness of v against phi e_a, of the isotropic law without Poisson's coupling. */
+static double stiffness(const struct hobe_section_point *p, double E, int l, int a,
                         const double phi[3])
 {
     const double *y = p->f[HOBE_V1Y + 2 * l], *z = p->f[HOBE_V1Z + 2 * l];
-    return a ? E * z[2] * phi[2] + G * (y[2] + z[1]) * phi[1]
-             : E * y[1] * phi[1] + G * (y[2] + z[1]) * phi[2];
+    return a ? E * (z[2] * phi[2] + (y[2] + z[1]) * phi[1] / 2)
+             : E * (y[1] * phi[1] + (y[2] + z[1]) * phi[2] / 2);
 }
 
 /* The weak form against six quadratic fields: K(v, phi) is the same multiple of the balanced load's
@@ -100,7 +100,7 @@ static void equilibrium(const char *name, const hobe_section *section, const str
             for (int k = 0; k < 6; k++) {
                 quadratic(k / 2, at->y, at->z, phi);
                 work[k] += b[k % 2] * phi[0];
-                energy[k] += stiffness(at, E, G, l, k % 2, phi);
+                energy[k] += stiffness(at, E, l, k % 2, phi);
             }
         }
         int most = 0;
