@@ -234,7 +234,7 @@ static void each_kind(enum hobe_joint_kind kind, const hobe_section *section)
     turn(&pose, tip.u, u);
     turn(&pose, at.force, F);
     turn(&pose, at.moment, M);
-    check_that(norm(tip.u) > 1e-4, "%s: it moves by %g m", name, norm(tip.u));
+    check_that(norm(tip.u) > 1e-5, "%s: it moves by %g m", name, norm(tip.u));
     check_absolute(distance(u, far.u), 0, 1e-9 * norm(u), "%s: displacement in a turned scene",
                    name);
     check_absolute(distance(F, to.force), 0, 1e-8 * norm(c.force), "%s: force likewise", name);
