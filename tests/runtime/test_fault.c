@@ -84,6 +84,7 @@ static enum hobe_status go(struct run *run)
     if (!status)
         status =
             hobe_static(run->model, &(struct hobe_newton){.steps = 1}, &run->solution, &run->err);
+    check_that(!run->solution || !status, "no solution is left behind a failure");
     if (!status)
         status = hobe_solution_point(run->solution, "outer", 1, 0.01, 0.02, &run->tip, &run->err);
     for (int i = 0; !status && i < 2; i++)
@@ -117,7 +118,6 @@ static int fail_at(long n, const struct hobe_point *expected)
                        !strchr(run.err.message, '\n'),
                    "allocation %ld of %ld: \"%s\", \"%s\"", n, seen, hobe_status_words(status),
                    run.err.message);
-    check_that(!run.solution || !status, "no solution is left behind a failure");
     close_run(&run);
     return through;
 }
