@@ -368,22 +368,34 @@ struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle
     double at[2]; /* 0 or 1 */
 };
 
-/* What a joint stops of the motion of its second part against its first.  Translations are those of
- * the second place, "along" and "across" the axis, which belongs to the first part and moves with
- * it; at rest it is the same direction in both.  Directions that belong to a beam are carried by
- * the section's slopes y, z and by its normal n = y x z as they are in the reference: d_x n + d_y y
- * + d_z z.  Warping and every other mode of the section stay free. */
-enum hobe_joint_kind {                         /* translations    rotations */
-                       HOBE_JOINT_FIXED,       /* all         all, of the sections' mean axes */
-                       HOBE_JOINT_SPHERICAL,   /* all         none */
-                       HOBE_JOINT_REVOLUTE,    /* all         all but about the axis */
-                       HOBE_JOINT_UNIVERSAL,   /* all         one: the first part's axis and the
-                                                  second part's   `second` stay at a right angle */
-                       HOBE_JOINT_CYLINDRICAL, /* across      all but about the axis */
-                       HOBE_JOINT_PRISMATIC,   /* across      all */
-                       HOBE_JOINT_PLANAR,      /* along       all but about the axis */
-                       HOBE_JOINT_INLINE,      /* across      none */
-                       HOBE_JOINT_INPLANE      /* along       none */
+/* What a joint stops of the motion of its second part against its first: translations of its place
+ * along and across the axis, which belongs to the first part and moves with it, and rotations.
+ *
+ *     kind          translations   rotations
+ *     fixed         all            all, of the sections' mean axes
+ *     spherical     all            none
+ *     revolute      all            all but about the axis
+ *     universal     all            one: the first part's axis and the second part's `second` stay
+ *                                  at a right angle
+ *     cylindrical   across         all but about the axis
+ *     prismatic     across         all
+ *     planar        along          all but about the axis
+ *     inline        across         none
+ *     inplane       along          none
+ *
+ * Directions that belong to a beam are carried by the section's slopes y, z and by its normal
+ * n = y x z with the components they have in the reference: d_x n + d_y y + d_z z.  Warping and
+ * every other mode of the section stay free. */
+enum hobe_joint_kind {
+    HOBE_JOINT_FIXED,
+    HOBE_JOINT_SPHERICAL,
+    HOBE_JOINT_REVOLUTE,
+    HOBE_JOINT_UNIVERSAL,
+    HOBE_JOINT_CYLINDRICAL,
+    HOBE_JOINT_PRISMATIC,
+    HOBE_JOINT_PLANAR,
+    HOBE_JOINT_INLINE,
+    HOBE_JOINT_INPLANE
 };
 
 /* A joint between places anywhere on two beams, which must coincide; or between the ground, its

@@ -6,6 +6,9 @@
 
 #include <string.h>
 
+/* Numbers of the dense matrix that counting takes at most: 160 MB. */
+static const double MOST_NUMBERS = 2e7;
+
 long inertia_multipliers(const struct hobe_model *model, long *spare)
 {
     long multipliers = 0;
@@ -82,14 +85,17 @@ static enum hobe_status count_positive(struct hobe_model *model, long m, const d
 
 /* Sylvester: the bordered matrix [A G'; G 0] is congruent to one with A + G'G in the place of A,
  * and so has the signs of A + G'G and of -S, S = G (A + G'G)^-1 G'; a negative one for each
- * multiplier is not a mode's.  G'G ties what would be loose without the ties. */
+ * multiplier is not a mode's.  G'G ties what would be loose without the constraints. */
 enum hobe_status inertia_behind_ties(struct hobe_model *model, double *Ax, const double *scale,
                                      long *negative, struct hobe_error *err)
 {
     const long n = 3 * model->unknowns;
     long rows = 0, column, positive = 0, spare;
-    double *G = hobe_alloc((size_t)(inertia_multipliers(model, &spare) * n), sizeof *G, err);
+    const long all = inertia_multipliers(model, &spare);
     *negative = -1;
+    if ((double)all * (double)n > MOST_NUMBERS)
+        return HOBE_OK;
+    double *G = hobe_alloc((size_t)(all * n), sizeof *G, err);
     if (!G)
         return HOBE_NO_MEMORY;
     for (size_t i = 0; i < model->ties.count; i++) {

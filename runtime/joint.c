@@ -193,19 +193,19 @@ enum hobe_status joint_beams(hobe_model *model, struct hobe_error *err)
 /* ---- too few --------------------------------------------------------------------------------- */
 
 /* The work of a constraint on the rigid motion of what holds one of its places: translations along
- * and rotations about x, y, z through a point, over a length. */
-static void add_rigid(const struct tied *side, const double J[3][3], const double point[3],
-                      double length, double *row)
+ * and rotations about x, y, z through a point, over a length; in six columns. */
+static void put_rigid(struct rank *rank, long column, const struct tied *side, const double J[3][3],
+                      const double point[3], double length)
 {
     double turn[3], arm[3];
     for (int a = 0; a < 3; a++) {
         arm[a] = side->position[a] - point[a];
-        row[a] += J[0][a];
+        rank_put(rank, column + a, J[0][a]);
     }
     for (int i = 0; i < 3; i++) {
         cross3(i ? side->D0[i] : arm, J[i], turn);
         for (int a = 0; a < 3; a++)
-            row[3 + a] += turn[a] / length;
+            rank_put(rank, column + 3 + a, turn[a] / length);
     }
 }
 
@@ -220,13 +220,12 @@ static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie,
     for (int k = 0; !status && k < tie->constraints; k++) {
         for (int s = 0; s < 2; s++) {
             const struct beam *beam = tie->side[s].place.beam;
-            if (!beam)
+            if (!beam || held[root[beam - model_beam(model, 0)]])
                 continue;
             const size_t group = root[beam - model_beam(model, 0)];
             const struct beam *first = model_beam(model, group);
-            if (!held[group])
-                add_rigid(tie->side + s, (const double(*)[3])J[k] + 3 * s, first->end[0],
-                          first->length, rank->x + 6 * group);
+            put_rigid(rank, 6 * (long)group, tie->side + s, (const double(*)[3])J[k] + 3 * s,
+                      first->end[0], first->length);
         }
         status = rank_add(rank, &independent, err);
     }
@@ -234,10 +233,10 @@ static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie,
 }
 
 /* Appends "translations along x, y" for what is not stopped. */
-static void list_motions(const char *kind, const char *how, const unsigned char stopped[3],
+static void list_motions(const char *kind, const char *how, const long stopped[3],
                          char text[MOTIONS])
 {
-    const int free = 3 - stopped[0] - stopped[1] - stopped[2];
+    const int free = !stopped[0] + !stopped[1] + !stopped[2];
     size_t used = strlen(text);
     if (free)
         used += (size_t)snprintf(text + used, MOTIONS - used, "%s%s%s %s", used ? " and " : "",
@@ -249,7 +248,7 @@ static void list_motions(const char *kind, const char *how, const unsigned char 
 }
 
 /* Names the motions that no constraint stops of the group of a beam. */
-static enum hobe_status name_motions(const struct beam *beam, const unsigned char stopped[6],
+static enum hobe_status name_motions(const struct beam *beam, const long stopped[6],
                                      struct hobe_error *err)
 {
     char text[MOTIONS] = "";
@@ -270,8 +269,9 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
         if (!model_tie(model, i)->corner)
             status = add_rows(model, model_tie(model, i), root, held, &rank, err);
     for (size_t i = 0; !status && i < model->beams.count; i++)
-        if (root[i] == i && !held[i] && memchr(rank.pivot + 6 * i, 0, 6))
-            status = name_motions(model_beam(model, i), rank.pivot + 6 * i, err);
+        for (int m = 0; !status && root[i] == i && !held[i] && m < 6; m++)
+            if (!rank.row_of[6 * i + (size_t)m])
+                status = name_motions(model_beam(model, i), rank.row_of + 6 * i, err);
     rank_close(&rank);
     return status;
 }
@@ -302,7 +302,7 @@ enum hobe_status joint_check_redundant(const hobe_model *model, struct hobe_erro
             for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++) {
                 const long unknown = model->unknown[tie->vector[t->entry]];
                 for (int a = 0; unknown >= 0 && a < 3; a++)
-                    rank.x[3 * unknown + a] += t->weight * J[k][t->what][a];
+                    rank_put(&rank, 3 * unknown + a, t->weight * J[k][t->what][a]);
             }
             status = rank_add(&rank, &independent, err);
             if (!status && !independent)
