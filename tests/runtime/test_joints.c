@@ -396,6 +396,25 @@ static void simple_beam_vibrates(void)
     hobe_section_free(section);
 }
 
+/* A beam has as many modes as its vectors have components, less one for each constraint; nothing
+ * else of the multipliers shows. */
+static void modes_are_counted(void)
+{
+    struct hobe_error err;
+    hobe_modes *modes;
+    hobe_section *section = rectangle(0.05, 0.1);
+    hobe_model *model = simple_beam("3433", 1, section, 1, 0);
+    check_that(hobe_modal(model, NULL, &(struct hobe_modal_options){.modes = 31}, &modes, &err) ==
+                       HOBE_BAD_INPUT &&
+                   strstr(err.message, "from 1 to the 30 that"),
+               "36 components, 6 constraints: %s", err.message);
+    modes = modes_of(model, NULL, 29, HOBE_MODAL_AUTO);
+    check_that(mode_of(modes, 28).omega > mode_of(modes, 0).omega, "29 of them are found");
+    hobe_modes_free(modes);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
 /* Euler's loads of a hinged column, pi^2 EI/L^2 about both axes, to the order (h/L)^2. */
 static void column_buckles(void)
 {
@@ -607,6 +626,7 @@ int main(void)
     corner_and_fixed();
     simple_beam_bends();
     simple_beam_vibrates();
+    modes_are_counted();
     column_buckles();
     guided_column();
     three_hinges();
