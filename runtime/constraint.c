@@ -180,7 +180,7 @@ static void read_state(const struct tie *tie, const double *u, struct state *s)
 
 static double value(const struct constraint *c, const struct tie *tie, const struct state *s)
 {
-    double phi = dot3(c->hold, s->d);
+    double phi = dot3(c->hold, s->d) + c->bend / 2 * dot3(s->d, s->d);
     for (int i = 0; i < 3; i++) {
         phi += c->slide[i] * dot3(s->D[0][i], s->d);
         for (int j = 0; j < 3; j++)
@@ -209,6 +209,7 @@ static void gradient(const struct constraint *c, const struct state *s, double g
     double W[2][3][3];
     by_directions(c, s, W);
     memcpy(g[3], c->hold, sizeof c->hold);
+    add(c->bend, s->d, g[3]);
     for (int i = 0; i < 3; i++)
         add(c->slide[i], s->D[0][i], g[3]);
     for (int a = 0; a < 3; a++)
@@ -228,6 +229,7 @@ static struct constraint combine(const struct tie *tie, const double *lambda)
         const struct constraint *c = tie->constraint + k;
         add(lambda[k], c->slide, sum.slide);
         add(lambda[k], c->hold, sum.hold);
+        sum.bend += lambda[k] * c->bend;
         for (int i = 0; i < 3; i++)
             add(lambda[k], c->turn[i], sum.turn[i]);
     }
@@ -282,6 +284,9 @@ static void hessian(const struct constraint *c, const struct state *s,
         memcpy(L[side][2][1], one, sizeof one);
         spin(-1, W[side][0], H[3 * side + 1][3 * side + 2]);
     }
+    add_product(c->bend, one, one, H[0][0]);
+    add_product(-c->bend, one, one, H[0][3]);
+    add_product(c->bend, one, one, H[3][3]);
     for (int i = 0; i < 3; i++)
         for (int p = 0; p < 2; p++) {
             const double(*La)[3] = (const double(*)[3])L[0][i][p];

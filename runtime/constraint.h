@@ -6,11 +6,12 @@
  * normal n = y x z: three directions D = (n, y, z) that are its axes where it is not strained. With
  * d = u_b - u_a, the displacement of b against a, each constraint is
  *
- *     Phi = turn : (D_a' D_b - D_a0' D_b0) + (slide D_a + hold) . d,      D_a' D_b = [D_ai . D_bj]
+ *     Phi = turn : (D_a' D_b - D_a0' D_b0) + (slide D_a + hold + bend d/2) . d
  *
- * a polynomial of the places' vectors: `turn` keeps the angles between directions, `slide` and
- * `hold` the place of b on the axes of a, and on the global ones.  r, y and z are sums of nodal
- * vectors by the axial functions, so that a tie may sit anywhere on a beam.
+ * with D_a' D_b = [D_ai . D_bj], a polynomial of the places' vectors: `turn` keeps the angles
+ * between directions, `slide` and `hold` the place of b on the axes of a, and on the global ones;
+ * `bend` makes the plane of `hold` a sphere.  r, y and z are sums of nodal vectors by the axial
+ * functions, so that a tie may sit anywhere on a beam.
  *
  * Each tie owns blocks of three multipliers, which the model numbers behind the beams' vectors: the
  * state u holds them like three more displacements.  Spare ones of its last block are held at zero
@@ -26,7 +27,7 @@ enum {
 };
 
 struct constraint {
-    double turn[3][3], slide[3], hold[3];
+    double turn[3][3], slide[3], hold[3], bend;
 };
 
 /* One of the two places: beam NULL is the ground, whose directions are the global axes. */

@@ -382,6 +382,7 @@ struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle
  *     planar        along          all but about the axis
  *     inline        across         none
  *     inplane       along          none
+ *     distance      along the line between the places, which are apart; none
  *
  * Directions that belong to a beam are carried by the section's slopes y, z and by its normal
  * n = y x z with the components they have in the reference: d_x n + d_y y + d_z z.  Warping and
@@ -395,19 +396,21 @@ enum hobe_joint_kind {
     HOBE_JOINT_PRISMATIC,
     HOBE_JOINT_PLANAR,
     HOBE_JOINT_INLINE,
-    HOBE_JOINT_INPLANE
+    HOBE_JOINT_INPLANE,
+    HOBE_JOINT_DISTANCE
 };
 
-/* A joint between places anywhere on two beams, which must coincide; or between the ground, its
- * first part, and a place of one beam: a support. */
+/* A joint between places anywhere on two beams, which must coincide but for a distance; or between
+ * the ground, its first part, and a place of one beam: a support. */
 struct hobe_joint {
     const char *where;
     const char *beam[2]; /* the first and the second part; beam[1] NULL: a support of beam[0] */
     const char *name;    /* by which hobe_solution_reaction knows it, or NULL */
     double at[2];
     enum hobe_joint_kind kind;
-    double axis[3];   /* global, in the reference; {0,0,0} for fixed and spherical joints */
+    double axis[3];   /* global, in the reference; {0,0,0} for fixed, spherical and distance */
     double second[3]; /* of universal joints, at a right angle to the axis; else {0,0,0} */
+    double to[3];     /* of a support that keeps a distance: the point of the ground, m */
 };
 
 /* "revolute" etc.; NULL for no kind. */

@@ -11,8 +11,9 @@
 #include <string.h>
 
 /* Which relative motions a joint stops, by its axis; of rotations CROSSED leaves two axes at a
- * right angle: that of the first part and the second one, of the second part. */
-enum stopped { NONE, ALL, ACROSS, ALONG, CROSSED };
+ * right angle: that of the first part and the second one, of the second part; of translations APART
+ * leaves those that keep the distance. */
+enum stopped { NONE, ALL, APART, ACROSS, ALONG, CROSSED };
 
 enum { MOTIONS = 80 }; /* characters that name six motions */
 
@@ -29,6 +30,7 @@ static const struct kind {
     [HOBE_JOINT_PLANAR] = {"planar", ALONG, ACROSS},
     [HOBE_JOINT_INLINE] = {"inline", ACROSS, NONE},
     [HOBE_JOINT_INPLANE] = {"inplane", ALONG, NONE},
+    [HOBE_JOINT_DISTANCE] = {"distance", APART, NONE},
 };
 
 /* Joined places must coincide to this fraction of the beams' length. */
@@ -62,7 +64,7 @@ static enum hobe_status check_axes(const struct hobe_joint *joint, struct hobe_e
     const struct kind *kind = kinds + joint->kind;
     const double *axis = joint->axis, *second = joint->second;
     const double size[2] = {length3(axis), length3(second)};
-    const int needed[2] = {kind->shift > ALL || kind->turn > ALL, kind->turn == CROSSED};
+    const int needed[2] = {kind->shift > APART || kind->turn > APART, kind->turn == CROSSED};
     static const char *const key[2] = {"axis", "second"};
     for (int i = 0; i < 2; i++)
         if (!isfinite(size[i]) || needed[i] != (size[i] > 0))
@@ -124,8 +126,20 @@ static void stop_turning(struct tie *tie, enum stopped turn, const double t[3][3
         keep_normal(tie, t[0], second);
 }
 
-static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3][3])
+/* (|g + d|^2 - |g|^2)/(2 |g|) = 0, g the gap in the reference. */
+static void keep_distance(struct tie *tie, const double gap[3])
 {
+    struct constraint *c = tie_constraint(tie);
+    c->bend = 1 / length3(gap);
+    for (int a = 0; a < 3; a++)
+        c->hold[a] = gap[a] * c->bend;
+}
+
+static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3][3],
+                          const double gap[3])
+{
+    if (shift == APART)
+        keep_distance(tie, gap);
     for (int i = 0; i < 3 && shift == ALL; i++)
         tie_constraint(tie)->hold[i] = 1;
     for (int i = 0; i < 3; i++)
@@ -133,13 +147,14 @@ static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3]
             on_section(tie->side, t[i], tie_constraint(tie)->slide);
 }
 
-/* Finds both places; *gap is their distance, of the beams' length. */
+/* Finds both places and the gap from the first to the second. */
 static enum hobe_status find_places(const hobe_model *model, const struct hobe_joint *joint,
-                                    struct tied side[2], struct hobe_error *err)
+                                    struct tied side[2], double gap[3], struct hobe_error *err)
 {
-    double length = 0, gap[3];
+    double length = 0;
     side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
+    memcpy(side[0].position, joint->to, sizeof side[0].position);
     const int beams = joint->beam[1] ? 2 : 1;
     for (int i = 0; i < beams; i++) {
         const struct beam *beam = model_find_beam(model, joint->beam[i], joint->where, err);
@@ -150,7 +165,14 @@ static enum hobe_status find_places(const hobe_model *model, const struct hobe_j
     }
     for (int a = 0; a < 3; a++)
         gap[a] = side[1].position[a] - side[0].position[a];
-    if (beams == 2 && length3(gap) > COINCIDENT * length)
+    const int apart = length3(gap) > COINCIDENT * length;
+    if (kinds[joint->kind].shift == APART)
+        return apart ? HOBE_OK
+                     : hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                                 "a joint of kind distance needs places that are apart; those of "
+                                 "\"%s\" and %s coincide",
+                                 joint->beam[0], beams == 2 ? joint->beam[1] : "the ground");
+    if (beams == 2 && apart)
         return hobe_fail(
             err, HOBE_BAD_INPUT, joint->where,
             "the joined places of \"%s\" and \"%s\" are %g m apart; they must coincide",
@@ -162,8 +184,8 @@ static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *jo
                                   struct hobe_error *err)
 {
     struct tied side[2];
-    double t[3][3] = {{0}}, second[3][3] = {{0}};
-    const enum hobe_status status = find_places(model, joint, side, err);
+    double gap[3], t[3][3] = {{0}}, second[3][3] = {{0}};
+    const enum hobe_status status = find_places(model, joint, side, gap, err);
     if (status)
         return status;
     struct tie *tie = tie_add(model, side, side + 1, err);
@@ -176,7 +198,7 @@ static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *jo
     if (length3(joint->second) > 0)
         make_triad(joint->second, second);
     stop_turning(tie, kinds[joint->kind].turn, (const double(*)[3])t, second[0]);
-    stop_shifting(tie, kinds[joint->kind].shift, (const double(*)[3])t);
+    stop_shifting(tie, kinds[joint->kind].shift, (const double(*)[3])t, gap);
     return HOBE_OK;
 }
 

@@ -226,13 +226,14 @@ struct joint {
 #define JOINT_KEYS                                                                                 \
     KEY(struct joint, kind, KEY_CHOICE, REQUIRED,                                                  \
         .choices = "fixed|spherical|revolute|universal|cylindrical|prismatic|planar|inline|"       \
-                   "inplane",                                                                      \
+                   "inplane|distance",                                                             \
         .doc = "what it stops.  All translations: fixed, and all rotations; spherical, no "        \
                "rotation; revolute, all but the one about the axis; universal, the one that "      \
                "would take `axis` and `second` from their right angle.  Translations across the "  \
                "axis: cylindrical, and all rotations but about it; prismatic, and all rotations; " \
                "inline, no rotation.  The translation along the axis: planar, and all rotations "  \
-               "but about it; inplane, no rotation.  Warping stays free"),                         \
+               "but about it; inplane, no rotation.  The translation along the line between two "  \
+               "places that are apart: distance, a rod without mass.  Warping stays free"),        \
         JOINT("axis", axis, KEY_VECTOR,                                                            \
               .doc = "its axis in the reference, global; it moves with the first beam, or stays"), \
         JOINT("second", second, KEY_VECTOR,                                                        \
@@ -246,6 +247,8 @@ static const struct hobe_lua_key support_keys[] = {
     JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam"),
     JOINT("at", at[0], KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),
           .doc = "place on the beam, as a fraction of its length"),
+    JOINT("to", to, KEY_VECTOR, .unit = "m",
+          .doc = "of a support that keeps a distance: the point of the ground from which"),
     JOINT_KEYS};
 
 static const struct hobe_lua_key joint_keys[] = {
@@ -273,7 +276,16 @@ static int push_joint(lua_State *L, const struct hobe_lua_schema *schema)
 
 static int support(lua_State *L)
 {
-    return push_joint(L, &support_schema);
+    lua_settop(L, 1);
+    push_joint(L, &support_schema);
+    const struct hobe_lua_item *item = lua_touserdata(L, 2);
+    hobe_lua_push_key(L, 1, &support_schema, "to");
+    if (lua_isnil(L, -1) == (item->as.joint.kind == HOBE_JOINT_DISTANCE))
+        hobe_lua_fail(L,
+                      "support: a support of kind distance, and no other, needs to, the point of "
+                      "the ground {x, y, z}");
+    lua_settop(L, 2);
+    return 1;
 }
 
 static int joint(lua_State *L)
@@ -374,7 +386,8 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
     {"support", support, "hobe.support{\"beam\", at =, kind =, axis =}",
      "Holds a place of a beam as a joint to the ground would.", &support_schema, NULL},
     {"joint", joint, "hobe.joint{\"a\", \"b\", at = {1, 0}, kind =, axis =}",
-     "A joint between places of two beams, which must coincide.  Directions that move with a beam "
+     "A joint between places of two beams, which must coincide but for a distance.  Directions "
+     "that move with a beam "
      "are carried by its section's slopes y and z and by their normal.",
      &joint_schema, NULL},
     {"join", join, "hobe.join{\"a\", \"b\", at = {1, 0}}",

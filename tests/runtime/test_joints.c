@@ -14,12 +14,12 @@
 
 static const double E = 70e9, PI = 3.14159265358979323846;
 
-enum { KINDS = HOBE_JOINT_INPLANE + 1 };
+enum { KINDS = HOBE_JOINT_DISTANCE + 1 };
 
 /* Whether a kind has an axis. */
 static int has_axis(enum hobe_joint_kind kind)
 {
-    return kind != HOBE_JOINT_FIXED && kind != HOBE_JOINT_SPHERICAL;
+    return kind != HOBE_JOINT_FIXED && kind != HOBE_JOINT_SPHERICAL && kind != HOBE_JOINT_DISTANCE;
 }
 
 static void add_joint(hobe_model *model, const struct hobe_joint *joint)
@@ -110,6 +110,7 @@ static hobe_model *crossing(const struct crossing *c, const struct pose *pose,
 {
     static const char *const names[2] = {"first", "second"};
     static const double end[2][2][3] = {{{0, 0, 0}, {1, 0, 0}}, {{.3, -.6, 0}, {.3, .4, 0}}};
+    const double apart = c->kind == HOBE_JOINT_DISTANCE ? 0.2 : 0;
     hobe_model *model = new_model();
     struct hobe_joint joint = {
         .beam = {names[0], names[1]}, .name = "joint", .at = {0.3, 0.6}, .kind = c->kind};
@@ -117,8 +118,10 @@ static hobe_model *crossing(const struct crossing *c, const struct pose *pose,
     for (int i = 0; i < 2; i++) {
         struct hobe_beam beam = beam_along_x(i ? "3433w" : "MGD30w", 2, section, E, 0.3, 1);
         beam.name = names[i];
-        turn(pose, end[i][0], beam.from);
-        turn(pose, end[i][1], beam.to);
+        const double lift[3] = {end[i][0][0], end[i][0][1], i * apart};
+        const double lifted[3] = {end[i][1][0], end[i][1][1], i * apart};
+        turn(pose, lift, beam.from);
+        turn(pose, lifted, beam.to);
         turn(pose, c->up[i], beam.up);
         add_beam(model, &beam);
         add_clamp(model, names[i], 0, 0);
@@ -175,7 +178,7 @@ static const struct {
                   [HOBE_JOINT_REVOLUTE] = {1, 1, 1, 0},    [HOBE_JOINT_UNIVERSAL] = {1, 1, 0, 0},
                   [HOBE_JOINT_CYLINDRICAL] = {0, 1, 1, 0}, [HOBE_JOINT_PRISMATIC] = {0, 1, 1, 1},
                   [HOBE_JOINT_PLANAR] = {1, 0, 1, 0},      [HOBE_JOINT_INLINE] = {0, 1, 0, 0},
-                  [HOBE_JOINT_INPLANE] = {1, 0, 0, 0}};
+                  [HOBE_JOINT_INPLANE] = {1, 0, 0, 0},     [HOBE_JOINT_DISTANCE] = {0, 0, 0, 0}};
 
 /* Where a joint stops a motion, a few strains of it are left, which turn directions of a section
  * against each other.  Where it does not, it may be as small as chance has it. */
@@ -203,6 +206,8 @@ static void check_motions(const struct crossing *c, const hobe_solution *solutio
     const double along = dot3(d, on_a);
     for (int i = 0; i < 3; i++)
         across[i] = d[i] - along * on_a[i];
+    if (c->kind == HOBE_JOINT_DISTANCE)
+        check_relative(distance(a.r, b.r), 0.2, 1e-12, "the distance is kept");
     const double small = 2e-3; /* of the other motions, by the strains here */
     check_motion(fabs(along), 1e-12 + small * norm(across), stops[c->kind].along, kind, "sliding");
     check_motion(norm(across), 1e-12 + small * fabs(along), stops[c->kind].across, kind,
@@ -511,6 +516,40 @@ static void three_hinges(void)
     hobe_section_free(section);
 }
 
+/* A bar hangs from a rod to a point of the ground, and turns about its other end: the rod pulls
+ * along its line with what moments about that end ask for, far from where it was. */
+static void rod_to_the_ground(void)
+{
+    const double top[3] = {0.7, 0, 1.1}, F[3] = {4e3, 0, -1e4}, at = 0.75;
+    hobe_section *section = rectangle(0.02, 0.02);
+    const struct hobe_beam beam = beam_along_x("MGD30w", 6, section, E, 0.3, 1);
+    hobe_model *model = new_model();
+    add_beam(model, &beam);
+    add_support(model, "hinge", 0, HOBE_JOINT_REVOLUTE, Y);
+    add_joint(model, &(struct hobe_joint){.beam = {"beam"},
+                                          .name = "rod",
+                                          .at = {1},
+                                          .kind = HOBE_JOINT_DISTANCE,
+                                          .to = {top[0], top[1], top[2]}});
+    add_force(model, "beam", at, F[0], F[1], F[2]);
+    hobe_solution *solution = solve(model, 2);
+    const struct hobe_point p = point_of(solution, "beam", at, 0, 0);
+    const struct hobe_point tip = point_of(solution, "beam", 1, 0, 0);
+    const struct hobe_reaction rod = reaction_of(solution, "rod");
+    const double line[3] = {top[0] - tip.r[0], top[1] - tip.r[1], top[2] - tip.r[2]};
+    double across[3], M[3], of_rod[3];
+    check_relative(norm(line), hypot(0.3, 1.1), 1e-12, "the rod keeps its length");
+    cross3(line, rod.force, across);
+    check_absolute(norm(across), 0, 1e-8 * norm(F), "the rod pulls along its line");
+    cross3(p.r, F, M);
+    cross3(tip.r, rod.force, of_rod);
+    check_absolute(M[1] + of_rod[1], 0, 1e-8 * norm(F), "moments about the hinge");
+    check_that(norm(tip.u) > 0.02, "the tip moves by %g m", norm(tip.u));
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
 /* ---- too few and too many -------------------------------------------------------------------- */
 
 static void check_sentence(hobe_model *model, enum hobe_status status, const char *words)
@@ -591,7 +630,8 @@ static void refused(void)
     refuse(&(struct hobe_joint){.beam = {"beam"}, .axis = {1, 0, 0}}, "has no axis");
     refuse(&(struct hobe_joint){.beam = {"beam"}, .kind = HOBE_JOINT_REVOLUTE}, "needs axis");
     refuse(&(struct hobe_joint){.beam = {"beam"}, .kind = (enum hobe_joint_kind)KINDS},
-           "no kind of joint 9");
+           "no kind of joint 10");
+    refuse(&(struct hobe_joint){.beam = {"beam"}, .kind = HOBE_JOINT_DISTANCE}, "needs places");
     refuse(&(struct hobe_joint){.beam = {"beam", "beam"}, .at = {0, 0.5}}, "are 0.5 m apart");
     refuse(
         &(struct hobe_joint){
@@ -630,6 +670,7 @@ int main(void)
     column_buckles();
     guided_column();
     three_hinges();
+    rod_to_the_ground();
     hobe_section *section = rectangle(0.1, 0.1);
     too_few(section);
     too_many(section);
