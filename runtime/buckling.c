@@ -3,7 +3,7 @@
  * of the linear response but without its displacements, becomes singular: (K + mu G) phi = 0.
  *
  * K v = Q is the response to all loads.  G, the geometric stiffness, is the second derivative of
- * the strains by the displacements times the stresses of v; of a corner that of its constraint
+ * the strains by the displacements times the stresses of v; of a joint that of its constraints
  * times v's multipliers; and of loads that depend on the state -dQ/du.  What v's rotations change
  * in K is left out, as everywhere in linear buckling: linear in mu it would be no rotation but a
  * strain, and soften a beam that bends before it buckles.

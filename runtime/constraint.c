@@ -1,154 +1,383 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "constraint.h"
 
+#include "element.h"
 #include "vector3.h"
 
 #include <string.h>
 
-/* c += factor a x b */
-static void add_cross(double factor, const double a[3], const double b[3], double c[3])
+/* c += factor a */
+static void add(double factor, const double a[3], double c[3])
+{
+    for (int i = 0; i < 3; i++)
+        c[i] += factor * a[i];
+}
+
+/* c += a x b */
+static void add_cross(const double a[3], const double b[3], double c[3])
 {
     double product[3];
     cross3(a, b, product);
-    for (int i = 0; i < 3; i++)
-        c[i] += factor * product[i];
+    add(1, product, c);
 }
 
-/* M += factor [a]x, the matrix of the cross product with a. */
-static void add_spin(double factor, const double a[3], double M[3][3])
+/* M = factor [a]x, the matrix of the cross product with a. */
+static void spin(double factor, const double a[3], double M[3][3])
 {
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        M[j][k] -= factor * a[i];
-        M[k][j] += factor * a[i];
+        M[i][i] = 0;
+        M[j][k] = -factor * a[i];
+        M[k][j] = factor * a[i];
     }
 }
 
-/* P += factor [a]x [b]x = factor (b a' - (a.b) 1) */
-static void add_spins(double factor, const double a[3], const double b[3], double P[3][3])
+/* ---- places and vectors ---------------------------------------------------------------------- */
+
+/* The axial functions of a place's vectors, zero where they have no part in r, y or z. */
+static void weigh(struct place place, double N[HOBE_MAX_VECTORS], double Nx[HOBE_MAX_VECTORS])
 {
-    const double along = dot3(a, b);
-    for (int i = 0; i < 3; i++) {
-        P[i][i] -= factor * along;
-        for (int j = 0; j < 3; j++)
-            P[i][j] += factor * b[i] * a[j];
+    const struct beam *beam = place.beam;
+    const double length = hobe_element_invariants(beam_law(beam, place.element))->length;
+    beam->kernel->shape(place.xi, length, N, Nx);
+    for (int v = 0; v < beam->kernel->vectors; v++)
+        if (beam->kernel->vector[v].mode > 2 || fabs(N[v]) < 1e-12)
+            N[v] = 0; /* at a node all but its own are, to rounding */
+}
+
+void tied_at(struct place place, struct tied *tied)
+{
+    const struct beam *beam = place.beam;
+    const double at = (place.element + place.xi) / beam->spec.elements;
+    const double *q0 = beam_q0(beam, place.element);
+    double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS], field[3][3] = {{0}};
+    weigh(place, N, Nx);
+    for (int v = 0; v < beam->kernel->vectors; v++)
+        if (N[v] != 0)
+            add(N[v], q0 + 3 * v, field[beam->kernel->vector[v].mode]);
+    tied->place = place;
+    beam_frame(beam, place.element, N, Nx, tied->frame);
+    for (int a = 0; a < 3; a++)
+        tied->position[a] = beam->origin ? beam->origin[place.element][a] + field[0][a]
+                                         : beam->end[0][a] + at * beam->length * tied->frame[0][a];
+    memcpy(tied->D0[1], field[1], sizeof field[1]);
+    memcpy(tied->D0[2], field[2], sizeof field[2]);
+    cross3(field[1], field[2], tied->D0[0]);
+}
+
+struct tie *tie_add(struct hobe_model *model, const struct tied *a, const struct tied *b,
+                    struct hobe_error *err)
+{
+    struct tie *tie = list_append(&model->ties, sizeof *tie, err);
+    if (tie)
+        *tie = (struct tie){.side = {*a, *b}};
+    return tie;
+}
+
+struct constraint *tie_constraint(struct tie *tie)
+{
+    return &tie->constraint[tie->constraints++];
+}
+
+void tie_turning(struct tie *tie)
+{
+    for (int k = 0; k < 3; k++) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        struct constraint *c = tie_constraint(tie);
+        for (int i = 0; i < 3; i++) {
+            c->turn[i][l] = dot3(tie->side[0].frame[i], tie->side[1].frame[m]) / 2;
+            c->turn[i][m] = -dot3(tie->side[0].frame[i], tie->side[1].frame[l]) / 2;
+        }
     }
 }
 
-void corner_orient(struct corner *corner)
+/* The place of a number among the tie's vectors, where it is put unless it is there. */
+static int enter(struct tie *tie, long number)
 {
+    int i = 0;
+    while (i < tie->vectors && tie->vector[i] != number)
+        i++;
+    if (i == tie->vectors)
+        tie->vector[tie->vectors++] = number;
+    return i;
+}
+
+static void add_terms(const struct hobe_model *model, struct tie *tie, int side)
+{
+    const struct place place = tie->side[side].place;
+    double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS];
+    if (!place.beam)
+        return;
+    weigh(place, N, Nx);
+    for (int v = 0; v < place.beam->kernel->vectors; v++)
+        if (N[v] != 0)
+            tie->term[tie->terms++] =
+                (struct tie_term){enter(tie, model_vector(model, place.beam, place.element, v)),
+                                  3 * side + place.beam->kernel->vector[v].mode, N[v]};
+}
+
+enum hobe_status tie_resolve(struct hobe_model *model, struct tie *tie, struct hobe_error *err)
+{
+    size_t most = 0;
+    tie->blocks = (tie->constraints + 2) / 3;
     for (int s = 0; s < 2; s++)
-        for (int t = 0; t < 3; t++)
-            corner->C[s][t] = dot3(corner->frame[1][1 + s], corner->frame[0][t]);
+        most += tie->side[s].place.beam ? (size_t)tie->side[s].place.beam->kernel->vectors : 0;
+    tie->term = hobe_alloc(most, sizeof *tie->term, err);
+    tie->vector = hobe_alloc(most + (size_t)tie->blocks, sizeof *tie->vector, err);
+    if (!tie->term || !tie->vector)
+        return HOBE_NO_MEMORY;
+    for (int s = 0; s < 2; s++)
+        add_terms(model, tie, s);
+    tie->multiplier = model->vectors;
+    for (int b = 0; b < tie->blocks; b++)
+        tie->vector[tie->vectors++] = model->vectors++;
+    const size_t n = (size_t)tie->vectors;
+    tie->block = hobe_alloc(n * n, sizeof *tie->block, err);
+    return tie->block ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
-/* The vectors of a corner in state u.  Phi is a difference of nearly equal directions: it is formed
- * from displacements, p_s x b_s = b0 x db + dp x b with p0 = b0, to keep its digits. */
+void tie_free(struct tie *tie)
+{
+    hobe_free(tie->term);
+    hobe_free(tie->vector);
+    hobe_free(tie->block);
+}
+
+/* ---- the constraints ------------------------------------------------------------------------- */
+
+/* Both places in a state.  Phi is a difference of nearly equal directions: it is formed from
+ * displacements, D_a' D_b - D_a0' D_b0 = dD_a' D_b + D_a0' dD_b, to keep its digits. */
 struct state {
-    double y[3], z[3], b[2][3], lambda[3];
-    double p[2][3]; /* p_y, p_z */
-    double w[2][3]; /* b_s x lambda */
-    double phi[3];
+    double D[2][3][3], dD[2][3][3], d[3];
+    double lambda[TIE_CONSTRAINTS];
 };
 
-static void read_state(const struct corner *c, const double *u, struct state *s)
+static void read_state(const struct tie *tie, const double *u, struct state *s)
 {
-    const double *y0 = c->frame[0][1], *z0 = c->frame[0][2];
-    const double *dy = u + 3 * c->vector[0], *dz = u + 3 * c->vector[1];
-    double dn[3] = {0};
+    double moved[TIE_VECTORS][3] = {{0}};
+    *s = (struct state){0};
+    for (int t = 0; u && t < tie->terms; t++) {
+        const struct tie_term *term = tie->term + t;
+        add(term->weight, u + 3 * tie->vector[term->entry], moved[term->what]);
+    }
+    for (int k = 0; u && k < tie->constraints; k++)
+        s->lambda[k] = u[3 * tie->multiplier + k];
+    for (int a = 0; a < 3; a++)
+        s->d[a] = moved[3][a] - moved[0][a];
+    for (int side = 0; side < 2; side++) {
+        const double(*D0)[3] = tie->side[side].D0;
+        double(*D)[3] = s->D[side], (*dD)[3] = s->dD[side];
+        memcpy(dD[1], moved[3 * side + 1], sizeof(double[2][3]));
+        for (int i = 1; i < 3; i++)
+            for (int a = 0; a < 3; a++)
+                D[i][a] = D0[i][a] + dD[i][a];
+        add_cross(dD[1], D0[2], dD[0]);
+        add_cross(D[1], dD[2], dD[0]);
+        for (int a = 0; a < 3; a++)
+            D[0][a] = D0[0][a] + dD[0][a];
+    }
+}
+
+static double value(const struct constraint *c, const struct tie *tie, const struct state *s)
+{
+    double phi = dot3(c->hold, s->d) + c->bend / 2 * dot3(s->d, s->d);
+    for (int i = 0; i < 3; i++) {
+        phi += c->slide[i] * dot3(s->D[0][i], s->d);
+        for (int j = 0; j < 3; j++)
+            phi += c->turn[i][j] *
+                   (dot3(s->dD[0][i], s->D[1][j]) + dot3(tie->side[0].D0[i], s->dD[1][j]));
+    }
+    return phi;
+}
+
+/* W[side][i] = dPhi/dD_i with n taken for a direction of its own. */
+static void by_directions(const struct constraint *c, const struct state *s, double W[2][3][3])
+{
+    memset(W, 0, sizeof(double[2][3][3]));
+    for (int i = 0; i < 3; i++) {
+        add(c->slide[i], s->d, W[0][i]);
+        for (int j = 0; j < 3; j++) {
+            add(c->turn[i][j], s->D[1][j], W[0][i]);
+            add(c->turn[i][j], s->D[0][i], W[1][j]);
+        }
+    }
+}
+
+/* g = dPhi/d(r, y, z of both places); from n = y x z, w . dn = dy . (z x w) + dz . (w x y). */
+static void gradient(const struct constraint *c, const struct state *s, double g[TIE_VECTORS][3])
+{
+    double W[2][3][3];
+    by_directions(c, s, W);
+    memcpy(g[3], c->hold, sizeof c->hold);
+    add(c->bend, s->d, g[3]);
+    for (int i = 0; i < 3; i++)
+        add(c->slide[i], s->D[0][i], g[3]);
+    for (int a = 0; a < 3; a++)
+        g[0][a] = -g[3][a];
+    for (int side = 0; side < 2; side++) {
+        memcpy(g[3 * side + 1], W[side][1], sizeof(double[2][3]));
+        add_cross(s->D[side][2], W[side][0], g[3 * side + 1]);
+        add_cross(W[side][0], s->D[side][1], g[3 * side + 2]);
+    }
+}
+
+/* sum_k lambda_k of the constraints. */
+static struct constraint combine(const struct tie *tie, const double *lambda)
+{
+    struct constraint sum = {0};
+    for (int k = 0; k < tie->constraints; k++) {
+        const struct constraint *c = tie->constraint + k;
+        add(lambda[k], c->slide, sum.slide);
+        add(lambda[k], c->hold, sum.hold);
+        sum.bend += lambda[k] * c->bend;
+        for (int i = 0; i < 3; i++)
+            add(lambda[k], c->turn[i], sum.turn[i]);
+    }
+    return sum;
+}
+
+void tie_jacobian(const struct tie *tie, const double *u, double J[TIE_CONSTRAINTS][TIE_VECTORS][3])
+{
+    struct state s;
+    read_state(tie, u, &s);
+    for (int k = 0; k < tie->constraints; k++)
+        gradient(tie->constraint + k, &s, J[k]);
+}
+
+void tie_reaction(const struct tie *tie, const double *u, double force[3], double moment[3])
+{
+    struct state s;
+    double g[TIE_VECTORS][3];
+    read_state(tie, u, &s);
+    const struct constraint sum = combine(tie, s.lambda);
+    gradient(&sum, &s, g);
     for (int a = 0; a < 3; a++) {
-        s->y[a] = y0[a] + dy[a];
-        s->z[a] = z0[a] + dz[a];
-        s->lambda[a] = u[3 * c->vector[4] + a];
-        s->phi[a] = 0;
+        force[a] = -g[3][a];
+        moment[a] = 0;
     }
-    add_cross(1, dy, z0, dn);
-    add_cross(1, s->y, dz, dn);
-    for (int i = 0; i < 2; i++) {
-        const double *b0 = c->frame[1][1 + i], *db = u + 3 * c->vector[2 + i];
-        double dp[3];
-        for (int a = 0; a < 3; a++) {
-            dp[a] = c->C[i][0] * dn[a] + c->C[i][1] * dy[a] + c->C[i][2] * dz[a];
-            s->p[i][a] = b0[a] + dp[a];
-            s->b[i][a] = b0[a] + db[a];
-        }
-        cross3(s->b[i], s->lambda, s->w[i]);
-        add_cross(1, b0, db, s->phi);
-        add_cross(1, dp, s->b[i], s->phi);
-    }
+    for (int i = 1; i < 3; i++)
+        add_cross(g[3 + i], s.D[1][i], moment);
 }
 
-/* V = lambda . Phi = sum_s w_s . p_s with w_s = b_s x lambda:
- * V_y = sum C_sx z x w_s + C_sy w_s,  V_z = sum C_sx w_s x y + C_sz w_s,  V_b = lambda x p,
- * V_lambda = Phi = sum p_s x b_s. */
-static void first_derivatives(const struct corner *c, const struct state *s,
-                              double V[CORNER_VECTORS][3])
+/* H += factor A' B */
+static void add_product(double factor, const double A[3][3], const double B[3][3], double H[3][3])
 {
-    memset(V, 0, sizeof(double[CORNER_VECTORS][3]));
-    for (int i = 0; i < 2; i++) {
-        add_cross(c->C[i][0], s->z, s->w[i], V[0]);
-        add_cross(c->C[i][0], s->w[i], s->y, V[1]);
-        for (int a = 0; a < 3; a++) {
-            V[0][a] += c->C[i][1] * s->w[i][a];
-            V[1][a] += c->C[i][2] * s->w[i][a];
-        }
-        add_cross(1, s->lambda, s->p[i], V[2 + i]);
-    }
-    memcpy(V[4], s->phi, sizeof s->phi);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 3; k++)
+                H[i][j] += factor * A[k][i] * B[k][j];
 }
 
-/* The second derivatives of V; dw_s = [b_s]x dlambda - [lambda]x db_s. */
-static void second_derivatives(const struct corner *c, const struct state *s,
-                               double H[CORNER_VECTORS][CORNER_VECTORS][3][3])
+/* The second derivatives of Phi by r, y, z: products of the directions' first derivatives
+ * L = dD_i/d(y, z), and where n is bent itself, w . d2n = 2 dy . (dz x w). */
+static void hessian(const struct constraint *c, const struct state *s,
+                    double H[TIE_VECTORS][TIE_VECTORS][3][3])
 {
-    memset(H, 0, sizeof(double[CORNER_VECTORS][CORNER_VECTORS][3][3]));
-    for (int i = 0; i < 2; i++) {
-        const double *C = c->C[i];
-        add_spin(-C[0], s->w[i], H[0][1]); /* d(z x w)/dz */
-        add_spins(-C[0], s->z, s->lambda, H[0][2 + i]);
-        add_spin(-C[1], s->lambda, H[0][2 + i]);
-        add_spins(C[0], s->z, s->b[i], H[0][4]);
-        add_spin(C[1], s->b[i], H[0][4]);
-        add_spins(C[0], s->y, s->lambda, H[1][2 + i]); /* d(w x y)/dw = -[y]x */
-        add_spin(-C[2], s->lambda, H[1][2 + i]);
-        add_spins(-C[0], s->y, s->b[i], H[1][4]);
-        add_spin(C[2], s->b[i], H[1][4]);
-        add_spin(-1, s->p[i], H[2 + i][4]); /* d(lambda x p)/dlambda */
+    static const double one[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double W[2][3][3], L[2][3][2][3][3] = {0};
+    by_directions(c, s, W);
+    memset(H, 0, sizeof(double[TIE_VECTORS][TIE_VECTORS][3][3]));
+    for (int side = 0; side < 2; side++) {
+        spin(-1, s->D[side][2], L[side][0][0]);
+        spin(1, s->D[side][1], L[side][0][1]);
+        memcpy(L[side][1][0], one, sizeof one);
+        memcpy(L[side][2][1], one, sizeof one);
+        spin(-1, W[side][0], H[3 * side + 1][3 * side + 2]);
     }
-    for (int i = 0; i < CORNER_VECTORS; i++)
+    add_product(c->bend, one, one, H[0][0]);
+    add_product(-c->bend, one, one, H[0][3]);
+    add_product(c->bend, one, one, H[3][3]);
+    for (int i = 0; i < 3; i++)
+        for (int p = 0; p < 2; p++) {
+            const double(*La)[3] = (const double(*)[3])L[0][i][p];
+            add_product(-c->slide[i], one, La, H[0][1 + p]);
+            add_product(c->slide[i], La, one, H[1 + p][3]);
+            for (int j = 0; j < 3; j++)
+                for (int q = 0; q < 2; q++)
+                    add_product(c->turn[i][j], La, (const double(*)[3])L[1][j][q], H[1 + p][4 + q]);
+        }
+    for (int i = 0; i < TIE_VECTORS; i++)
         for (int j = 0; j < i; j++)
             for (int a = 0; a < 3; a++)
                 for (int b = 0; b < 3; b++)
                     H[i][j][a][b] = H[j][i][b][a];
 }
 
-static void add_stiffness(const struct hobe_model *model, const struct corner *c,
+/* ---- assembly -------------------------------------------------------------------------------- */
+
+/* The place in the tangent of component a of entry i beside component b of entry j; NULL: held. */
+static double *find(const struct hobe_model *model, const struct tie *tie, int i, int a, int j,
+                    int b, double *Ax)
+{
+    const long block = tie->block[i * tie->vectors + j];
+    return block < 0
+               ? NULL
+               : Ax + pattern_scalar(&model->pattern, model->unknown[tie->vector[j]], block, a, b);
+}
+
+/* The tangent gets H between two terms. */
+static void add_curvature(const struct hobe_model *model, const struct tie *tie,
                           const struct state *s, double *Ax)
 {
-    double H[CORNER_VECTORS][CORNER_VECTORS][3][3];
-    second_derivatives(c, s, H);
-    for (int i = 0; i < CORNER_VECTORS; i++)
-        for (int j = 0; j < CORNER_VECTORS; j++) {
-            const long unknown = model->unknown[c->vector[j]];
-            for (int a = 0; a < 3 && c->block[i][j] >= 0; a++)
-                for (int b = 0; b < 3; b++)
-                    Ax[pattern_scalar(&model->pattern, unknown, c->block[i][j], a, b)] +=
-                        H[i][j][a][b];
+    double H[TIE_VECTORS][TIE_VECTORS][3][3];
+    const struct constraint sum = combine(tie, s->lambda);
+    hessian(&sum, s, H);
+    for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
+        for (const struct tie_term *v = tie->term; v < tie->term + tie->terms; v++)
+            for (int a = 0; a < 3; a++)
+                for (int b = 0; b < 3; b++) {
+                    double *at = find(model, tie, t->entry, a, v->entry, b, Ax);
+                    if (at)
+                        *at += t->weight * v->weight * H[t->what][v->what][a][b];
+                }
+}
+
+/* And the constraints' derivatives J beside their multipliers, with 1 on spare ones. */
+static void add_border(const struct hobe_model *model, const struct tie *tie,
+                       double J[TIE_CONSTRAINTS][TIE_VECTORS][3], double *Ax)
+{
+    for (int k = 0; k < 3 * tie->blocks; k++) {
+        const int row = tie_entry(tie, k), m = k % 3;
+        double *spare = find(model, tie, row, m, row, m, Ax);
+        if (spare && k >= tie->constraints)
+            *spare += 1;
+        for (int t = 0; t < tie->terms && k < tie->constraints; t++)
+            for (int a = 0; a < 3; a++) {
+                const struct tie_term *term = tie->term + t;
+                double *at = find(model, tie, term->entry, a, row, m, Ax);
+                if (!at)
+                    continue;
+                *at += term->weight * J[k][term->what][a];
+                *find(model, tie, row, m, term->entry, a, Ax) += term->weight * J[k][term->what][a];
+            }
+    }
+}
+
+static void add_tie(const struct hobe_model *model, const struct tie *tie, const double *u,
+                    double *f, double *Ax)
+{
+    struct state s;
+    double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
+    read_state(tie, u, &s);
+    tie_jacobian(tie, u, J);
+    for (int k = 0; k < 3 * tie->blocks; k++) {
+        const long multiplier = 3 * tie->multiplier + k;
+        if (k >= tie->constraints) {
+            f[multiplier] += u[multiplier];
+            continue;
         }
+        f[multiplier] += value(tie->constraint + k, tie, &s);
+        for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
+            add(t->weight * s.lambda[k], J[k][t->what], f + 3 * tie->vector[t->entry]);
+    }
+    if (Ax) {
+        add_curvature(model, tie, &s, Ax);
+        add_border(model, tie, J, Ax);
+    }
 }
 
 void constraint_add(const struct hobe_model *model, const double *u, double *f, double *Ax)
 {
-    for (size_t i = 0; i < model->corners.count; i++) {
-        const struct corner *c = model_corner(model, i);
-        struct state s;
-        double V[CORNER_VECTORS][3];
-        read_state(c, u, &s);
-        first_derivatives(c, &s, V);
-        for (int v = 0; v < CORNER_VECTORS; v++)
-            for (int a = 0; a < 3; a++)
-                f[3 * c->vector[v] + a] += V[v][a];
-        if (Ax)
-            add_stiffness(model, c, &s, Ax);
-    }
+    for (size_t i = 0; i < model->ties.count; i++)
+        add_tie(model, model_tie(model, i), u, f, Ax);
 }

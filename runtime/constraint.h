@@ -1,37 +1,99 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Joints by Lagrange multipliers: Phi(q) = 0, energy lambda . Phi.
  *
- * Each constraint owns one block of three multipliers, which the model numbers behind the beams'
- * vectors: the state u holds them like three more displacements. */
+ * A tie relates a place of a beam, b, to another, a, or to the ground by up to six scalar
+ * constraints.  At a place a section has its position r, its slopes y = r_y and z = r_z, and their
+ * normal n = y x z: three directions D = (n, y, z) that are its axes where it is not strained. With
+ * d = u_b - u_a, the displacement of b against a, each constraint is
+ *
+ *     Phi = turn : (D_a' D_b - D_a0' D_b0) + (slide D_a + hold + bend d/2) . d
+ *
+ * with D_a' D_b = [D_ai . D_bj], a polynomial of the places' vectors: `turn` keeps the angles
+ * between directions, `slide` and `hold` the place of b on the axes of a, and on the global ones;
+ * `bend` makes the plane of `hold` a sphere.  r, y and z are sums of nodal vectors by the axial
+ * functions, so that a tie may sit anywhere on a beam.
+ *
+ * Each tie owns blocks of three multipliers, which the model numbers behind the beams' vectors: the
+ * state u holds them like three more displacements.  Spare ones of its last block are held at zero
+ * by an energy lambda^2/2 of their own. */
 #ifndef HOBE_CONSTRAINT_H
 #define HOBE_CONSTRAINT_H
 
 #include "model.h"
 
-/* A rigid corner between sections a and b that share their position: they do not turn against each
- * other.  With a's slopes y, z and its normal n = y x z, the slopes of b should point along
- *
- *     p_s = C_sx n + C_sy y + C_sz z,    s = y, z,   C_st = e_s(b) . e_t(a) in the reference,
- *
- * and Phi = p_y x b_y + p_z x b_z vanishes when they do, whatever either section's stretch. */
-enum { CORNER_VECTORS = 5 }; /* a_y, a_z, b_y, b_z, multipliers */
-
-struct corner {
-    const struct beam *beam[2];
-    const double (*frame[2])[3];                /* their axes there in the reference, rows */
-    int element[2], slope[2][2];                /* element and its vectors y, z at the joint */
-    double C[2][3];                             /* C_st */
-    long vector[CORNER_VECTORS];                /* their numbers in the model */
-    long block[CORNER_VECTORS][CORNER_VECTORS]; /* places in the pattern, -1: held */
+enum {
+    TIE_CONSTRAINTS = 6,
+    TIE_VECTORS = 6 /* r, y, z of a, then of b */
 };
 
-static inline struct corner *model_corner(const struct hobe_model *model, size_t i)
+struct constraint {
+    double turn[3][3], slide[3], hold[3], bend;
+};
+
+/* One of the two places: beam NULL is the ground, whose directions are the global axes. */
+struct tied {
+    struct place place;
+    double position[3], frame[3][3]; /* in the reference, m; the section's axes there, rows */
+    double D0[3][3];                 /* n, y, z there, rows */
+};
+
+/* A nodal vector's part in r, y or z of one of the places. */
+struct tie_term {
+    int entry, what; /* place in `vector`; 3 * (0: a, 1: b) + (0: r, 1: y, 2: z) */
+    double weight;   /* axial function */
+};
+
+struct tie {
+    const char *where, *name; /* of the joint; NULL of a corner */
+    int corner;               /* from a join of beams at an angle */
+    struct tied side[2];
+    int constraints;
+    struct constraint constraint[TIE_CONSTRAINTS];
+    long multiplier; /* the first block's number in the model, blocks follow each other */
+    int terms, vectors, blocks;
+    struct tie_term *term; /* [terms] */
+    long *vector;          /* [vectors] numbers in the model, without repeats, multipliers last */
+    long *block;           /* [vectors][vectors] places in the pattern, -1: held */
+};
+
+static inline struct tie *model_tie(const struct hobe_model *model, size_t i)
 {
-    return (struct corner *)model->corners.item + i;
+    return (struct tie *)model->ties.item + i;
 }
 
-/* C_st of two beams' frames. */
-void corner_orient(struct corner *corner);
+/* Where constraint k has its multiplier among the entries of `vector`. */
+static inline int tie_entry(const struct tie *tie, int k)
+{
+    return tie->vectors - tie->blocks + k / 3;
+}
+
+/* Finds a place of a beam in the reference. */
+void tied_at(struct place place, struct tied *tied);
+
+/* Adds a tie between two places to a model, without constraints; NULL with err set. */
+struct tie *tie_add(struct hobe_model *model, const struct tied *a, const struct tied *b,
+                    struct hobe_error *err);
+
+/* The next constraint of a tie, to be filled. */
+struct constraint *tie_constraint(struct tie *tie);
+
+/* Three constraints: b does not turn against a.  With P the axes of b as directions of a, they are
+ * the skew part of P' D_b, which vanishes when both sections are turned alike, whatever their
+ * stretch. */
+void tie_turning(struct tie *tie);
+
+/* Numbers the multipliers, and finds the vectors that a tie whose constraints are complete acts on.
+ */
+enum hobe_status tie_resolve(struct hobe_model *model, struct tie *tie, struct hobe_error *err);
+void tie_free(struct tie *tie);
+
+/* J[k] = the derivatives of the constraints by r, y, z of both places in state u, NULL: the
+ * reference. */
+void tie_jacobian(const struct tie *tie, const double *u,
+                  double J[TIE_CONSTRAINTS][TIE_VECTORS][3]);
+
+/* What a tie does to its place b: force, N, and moment about it, N m, global axes. */
+void tie_reaction(const struct tie *tie, const double *u, double force[3], double moment[3]);
 
 /* f += d(lambda . Phi)/dq and Phi on the multipliers; Ax += its derivative unless NULL. */
 void constraint_add(const struct hobe_model *model, const double *u, double *f, double *Ax);

@@ -363,6 +363,7 @@ struct hobe_beam {
 /* Supports and loads name a beam and a place `at` in [0,1] along its axis. */
 struct hobe_clamp {
     const char *where, *beam;
+    const char *name; /* by which hobe_solution_reaction knows it, or NULL */
     double at;        /* must be a node of the beam with a position */
     int free_warping; /* 0: every vector of the node is held.  1: r and the slopes y, z are, so that
                          the section stays in place but may warp, and stretch along the axis */
@@ -386,6 +387,54 @@ struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle
     double at[2]; /* 0 or 1 */
 };
 
+/* What a joint stops of the motion of its second part against its first: translations of its place
+ * along and across the axis, which belongs to the first part and moves with it, and rotations.
+ *
+ *     kind          translations   rotations
+ *     fixed         all            all, of the sections' mean axes
+ *     spherical     all            none
+ *     revolute      all            all but about the axis
+ *     universal     all            one: the first part's axis and the second part's `second` stay
+ *                                  at a right angle
+ *     cylindrical   across         all but about the axis
+ *     prismatic     across         all
+ *     planar        along          all but about the axis
+ *     inline        across         none
+ *     inplane       along          none
+ *     distance      along the line between the places, which are apart; none
+ *
+ * Directions that belong to a beam are carried by the section's slopes y, z and by its normal
+ * n = y x z with the components they have in the reference: d_x n + d_y y + d_z z.  Warping and
+ * every other mode of the section stay free. */
+enum hobe_joint_kind {
+    HOBE_JOINT_FIXED,
+    HOBE_JOINT_SPHERICAL,
+    HOBE_JOINT_REVOLUTE,
+    HOBE_JOINT_UNIVERSAL,
+    HOBE_JOINT_CYLINDRICAL,
+    HOBE_JOINT_PRISMATIC,
+    HOBE_JOINT_PLANAR,
+    HOBE_JOINT_INLINE,
+    HOBE_JOINT_INPLANE,
+    HOBE_JOINT_DISTANCE
+};
+
+/* A joint between places anywhere on two beams, which must coincide but for a distance; or between
+ * the ground, its first part, and a place of one beam: a support. */
+struct hobe_joint {
+    const char *where;
+    const char *beam[2]; /* the first and the second part; beam[1] NULL: a support of beam[0] */
+    const char *name;    /* by which hobe_solution_reaction knows it, or NULL */
+    double at[2];
+    enum hobe_joint_kind kind;
+    double axis[3];   /* global, in the reference; {0,0,0} for fixed, spherical and distance */
+    double second[3]; /* of universal joints, at a right angle to the axis; else {0,0,0} */
+    double to[3];     /* of a support that keeps a distance: the point of the ground, m */
+};
+
+/* "revolute" etc.; NULL for no kind. */
+const char *hobe_joint_name(enum hobe_joint_kind kind);
+
 hobe_model *hobe_model_new(struct hobe_error *err);
 void hobe_model_free(hobe_model *model);
 
@@ -396,6 +445,7 @@ enum hobe_status hobe_model_clamp(hobe_model *, const struct hobe_clamp *, struc
 enum hobe_status hobe_model_force(hobe_model *, const struct hobe_force *, struct hobe_error *);
 enum hobe_status hobe_model_moment(hobe_model *, const struct hobe_moment *, struct hobe_error *);
 enum hobe_status hobe_model_join(hobe_model *, const struct hobe_join *, struct hobe_error *);
+enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struct hobe_error *);
 /* Gravity, m/s^2 in global axes, on every beam; repeated calls add up. */
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
                                     struct hobe_error *);
@@ -619,6 +669,16 @@ enum hobe_warning {
 enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char *beam,
                                        enum hobe_warning *warning, char *text, size_t size,
                                        struct hobe_error *err);
+
+/* What a clamp or support does to its beam, and a joint to its second beam, global axes: the force
+ * and its moment about the place where it sits.  Of a clamp the forces on all vectors of its node,
+ * with those on the slope x and on section modes in the moment; clamps that hold one node of
+ * several beams each give the whole. */
+struct hobe_reaction {
+    double force[3], moment[3]; /* N, N m */
+};
+enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const char *name,
+                                        struct hobe_reaction *reaction, struct hobe_error *err);
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);

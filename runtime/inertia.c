@@ -6,44 +6,53 @@
 
 #include <string.h>
 
-long inertia_multipliers(const struct hobe_model *model)
+/* Numbers of the dense matrix that counting takes at most: 160 MB. */
+static const double MOST_NUMBERS = 2e7;
+
+long inertia_multipliers(const struct hobe_model *model, long *spare)
 {
     long multipliers = 0;
-    for (long v = model->beam_vectors; v < model->vectors; v++)
-        multipliers += 3 * (model->unknown[v] >= 0);
+    *spare = 0;
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        if (!model->held[tie->multiplier]) {
+            multipliers += tie->constraints;
+            *spare += 3 * tie->blocks - tie->constraints;
+        }
+    }
     return multipliers;
 }
 
-/* Takes a corner's multipliers out of the tangent: their rows go to G[3][n] and, scaled, G'G is
- * added to the vectors they tie. */
-static void detach_corner(const struct hobe_model *model, const struct corner *c,
-                          const double *scale, double *Ax, double *G)
+/* Takes constraint k of a tie out of the tangent: its row goes to G[n] and, scaled, G'G is added to
+ * the vectors it ties. */
+static void detach(const struct hobe_model *model, const struct tie *tie, int k,
+                   const double *scale, double *Ax, double *G)
 {
-    enum { TIED = CORNER_VECTORS - 1 };
     const struct pattern *p = &model->pattern;
-    const long *unknown = model->unknown, n = 3 * model->unknowns;
-    const long row = unknown[c->vector[TIED]];
-    double g[TIED][3][3] = {0};
-    for (int i = 0; i < TIED; i++)
-        for (int m = 0; m < 3 && c->block[TIED][i] >= 0; m++)
-            for (int a = 0; a < 3; a++) {
-                const long column = unknown[c->vector[i]];
-                double *at = Ax + pattern_scalar(p, column, c->block[TIED][i], m, a);
-                G[m * n + 3 * column + a] = *at;
-                g[i][m][a] = scale[3 * row + m] * *at;
-                *at = Ax[pattern_scalar(p, row, c->block[i][TIED], a, m)] = 0;
-            }
-    for (int i = 0; i < TIED; i++)
-        for (int j = 0; j < TIED; j++)
-            for (int a = 0; a < 3 && c->block[i][j] >= 0; a++)
-                for (int b = 0; b < 3; b++)
-                    for (int m = 0; m < 3; m++)
-                        Ax[pattern_scalar(p, unknown[c->vector[j]], c->block[i][j], a, b)] +=
-                            g[i][m][a] * g[j][m][b];
-    for (int m = 0; m < 3; m++) {
-        const double D = scale[3 * row + m];
-        Ax[pattern_scalar(p, row, c->block[TIED][TIED], m, m)] = 1 / (D * D);
+    const int last = tie_entry(tie, k), m = k % 3, tied = tie->vectors - tie->blocks;
+    const long *unknown = model->unknown, *block = tie->block;
+    const long row = unknown[tie->vector[last]];
+    const double D = scale[3 * row + m];
+    for (int i = 0; i < tied; i++) {
+        const long column = unknown[tie->vector[i]];
+        for (int a = 0; a < 3 && column >= 0; a++) {
+            double *at = Ax + pattern_scalar(p, column, block[last * tie->vectors + i], m, a);
+            G[3 * column + a] = *at;
+            *at = Ax[pattern_scalar(p, row, block[i * tie->vectors + last], a, m)] = 0;
+        }
     }
+    for (int i = 0; i < tied; i++)
+        for (int j = 0; j < tied; j++) {
+            const long b = block[i * tie->vectors + j];
+            if (b < 0)
+                continue;
+            const long column = unknown[tie->vector[j]];
+            const double *g = G + 3 * unknown[tie->vector[i]], *h = G + 3 * column;
+            for (int a = 0; a < 3; a++)
+                for (int c = 0; c < 3; c++)
+                    Ax[pattern_scalar(p, column, b, a, c)] += D * g[a] * D * h[c];
+        }
+    Ax[pattern_scalar(p, row, block[last * tie->vectors + last], m, m)] = 1 / (D * D);
 }
 
 /* S = G A^-1 G' with the last factors of A, G[m][n], and how many of its eigenvalues are positive.
@@ -76,22 +85,23 @@ static enum hobe_status count_positive(struct hobe_model *model, long m, const d
 
 /* Sylvester: the bordered matrix [A G'; G 0] is congruent to one with A + G'G in the place of A,
  * and so has the signs of A + G'G and of -S, S = G (A + G'G)^-1 G'; a negative one for each
- * multiplier is not a mode's.  G'G ties what would be loose without the corners. */
-enum hobe_status inertia_behind_corners(struct hobe_model *model, double *Ax, const double *scale,
-                                        long *negative, struct hobe_error *err)
+ * multiplier is not a mode's.  G'G ties what would be loose without the constraints. */
+enum hobe_status inertia_behind_ties(struct hobe_model *model, double *Ax, const double *scale,
+                                     long *negative, struct hobe_error *err)
 {
     const long n = 3 * model->unknowns;
-    double *G = hobe_alloc((size_t)(inertia_multipliers(model) * n), sizeof *G, err);
-    long rows = 0, column, positive = 0;
+    long rows = 0, column, positive = 0, spare;
+    const long all = inertia_multipliers(model, &spare);
     *negative = -1;
+    if ((double)all * (double)n > MOST_NUMBERS)
+        return HOBE_OK;
+    double *G = hobe_alloc((size_t)(all * n), sizeof *G, err);
     if (!G)
         return HOBE_NO_MEMORY;
-    for (size_t i = 0; i < model->corners.count; i++) {
-        const struct corner *c = model_corner(model, i);
-        if (model->unknown[c->vector[CORNER_VECTORS - 1]] >= 0) {
-            detach_corner(model, c, scale, Ax, G + rows * n);
-            rows += 3;
-        }
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        for (int k = 0; k < tie->constraints && !model->held[tie->multiplier]; k++)
+            detach(model, tie, k, scale, Ax, G + n * rows++);
     }
     enum hobe_status status = hobe_linsolve_factor(model->solver, Ax, scale, &column, err);
     const long signs = status ? -1 : hobe_linsolve_negative(model->solver);

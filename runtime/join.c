@@ -81,21 +81,18 @@ static void share(hobe_model *model, const struct joined end[2], int mode, int s
 }
 
 /* Beams at an angle keep their own slopes, which a corner ties together. */
-static enum hobe_status add_corner(hobe_model *model, const struct joined end[2],
+static enum hobe_status add_corner(hobe_model *model, const char *where, const struct joined end[2],
                                    struct hobe_error *err)
 {
-    struct corner *corner = list_append(&model->corners, sizeof *corner, err);
-    if (!corner)
+    struct tied side[2];
+    for (int i = 0; i < 2; i++)
+        tied_at(model_place(end[i].beam, (double)(end[i].end % 2)), side + i);
+    struct tie *tie = tie_add(model, side, side + 1, err);
+    if (!tie)
         return HOBE_NO_MEMORY;
-    for (int i = 0; i < 2; i++) {
-        corner->beam[i] = end[i].beam;
-        corner->frame[i] = end_frame(end + i);
-        corner->element[i] = end[i].element;
-        for (int s = 0; s < 2; s++)
-            corner->slope[i][s] = hobe_kernel_vector(end[i].beam->kernel, end[i].node, 1 + s, 0);
-    }
-    corner->vector[CORNER_VECTORS - 1] = model->vectors++;
-    corner_orient(corner);
+    tie->corner = 1;
+    tie->where = where;
+    tie_turning(tie);
     return HOBE_OK;
 }
 
@@ -122,7 +119,7 @@ static enum hobe_status join_one(hobe_model *model, const struct hobe_join *join
         return status;
     share(model, end, 0, 0);
     if (!parallel(end))
-        return add_corner(model, end, err);
+        return add_corner(model, join->where, end, err);
     share(model, end, 1, 0);
     share(model, end, 2, 0);
     for (int m = 0;
@@ -148,11 +145,5 @@ enum hobe_status join_beams(hobe_model *model, struct hobe_error *err)
         return status;
     for (long v = 0; v < model->vectors; v++)
         model->alias[v] = representative(model, v);
-    for (size_t i = 0; i < model->corners.count; i++) {
-        struct corner *c = model_corner(model, i);
-        for (int v = 0; v < CORNER_VECTORS - 1; v++)
-            c->vector[v] =
-                model_vector(model, c->beam[v / 2], c->element[v / 2], c->slope[v / 2][v % 2]);
-    }
     return HOBE_OK;
 }

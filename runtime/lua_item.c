@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { WHERE = 1, NAME, OTHER, CURVE, ANCHORS = CURVE }; /* user values of an item */
+enum { WHERE = 1, NAME, OTHER, CURVE, OWN_NAME, ANCHORS = OWN_NAME }; /* user values of an item */
 
 /* Pushes an item with a copy of the size bytes of `value`. */
 static struct hobe_lua_item *push_item(lua_State *L, enum hobe_lua_kind kind, const void *value,
@@ -182,6 +182,15 @@ static int beam(lua_State *L)
 
 /* ---- supports ------------------------------------------------------------------------------- */
 
+#define OWN_NAME_KEY(key_owner, field)                                                             \
+    KEY_AS("name", key_owner, field, KEY_TEXT, .doc = "its own name, for `r:reaction`")
+
+/* Keeps the name that a support or joint may have, with the item on top of the stack. */
+static const char *keep_own_name(lua_State *L, const char *name)
+{
+    return name ? keep_copy(L, name, OWN_NAME) : NULL;
+}
+
 static const struct hobe_lua_key clamp_keys[] = {
     BEAM_NAME(struct hobe_clamp),
     PLACE(struct hobe_clamp),
@@ -189,6 +198,7 @@ static const struct hobe_lua_key clamp_keys[] = {
            .word = "fixed",
            .doc = "fixed holds every vector of the node; free only its position and the section's "
                   "slopes y and z, so that the section may warp and the axis stretch there"),
+    OWN_NAME_KEY(struct hobe_clamp, name),
     {0}};
 
 static const struct hobe_lua_schema clamp_schema = {"clamp", clamp_keys};
@@ -201,7 +211,86 @@ static int clamp(lua_State *L)
     struct hobe_clamp *c = &push_item(L, ITEM_CLAMP, &read, sizeof read)->as.clamp;
     c->where = keep(L, WHERE);
     c->beam = keep_copy(L, c->beam, NAME);
+    c->name = keep_own_name(L, c->name);
     return 1;
+}
+
+struct joint {
+    struct hobe_joint joint;
+    int kind;
+};
+
+#define JOINT(name, field, kind, ...) KEY_AS(name, struct joint, joint.field, kind, __VA_ARGS__)
+
+/* What supports and joints have in common; kinds in the order of enum hobe_joint_kind. */
+#define JOINT_KEYS                                                                                 \
+    KEY(struct joint, kind, KEY_CHOICE, REQUIRED,                                                  \
+        .choices = "fixed|spherical|revolute|universal|cylindrical|prismatic|planar|inline|"       \
+                   "inplane|distance",                                                             \
+        .doc = "what it stops.  All translations: fixed, and all rotations; spherical, no "        \
+               "rotation; revolute, all but the one about the axis; universal, the one that "      \
+               "would take `axis` and `second` from their right angle.  Translations across the "  \
+               "axis: cylindrical, and all rotations but about it; prismatic, and all rotations; " \
+               "inline, no rotation.  The translation along the axis: planar, and all rotations "  \
+               "but about it; inplane, no rotation.  The translation along the line between two "  \
+               "places that are apart: distance, a rod without mass.  Warping stays free"),        \
+        JOINT("axis", axis, KEY_VECTOR,                                                            \
+              .doc = "its axis in the reference, global; it moves with the first beam, or stays"), \
+        JOINT("second", second, KEY_VECTOR,                                                        \
+              .doc = "of a universal joint: the axis of the second beam, at a right angle"),       \
+        OWN_NAME_KEY(struct joint, joint.name),                                                    \
+    {                                                                                              \
+        0                                                                                          \
+    }
+
+static const struct hobe_lua_key support_keys[] = {
+    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam"),
+    JOINT("at", at[0], KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),
+          .doc = "place on the beam, as a fraction of its length"),
+    JOINT("to", to, KEY_VECTOR, .unit = "m",
+          .doc = "of a support that keeps a distance: the point of the ground from which"),
+    JOINT_KEYS};
+
+static const struct hobe_lua_key joint_keys[] = {
+    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the first beam"),
+    JOINT("other", beam[1], KEY_TEXT, REQUIRED, .position = 2, .doc = "name of the second beam"),
+    JOINT("at", at, KEY_PAIR, REQUIRED, .doc = "the places on both, as fractions of their length"),
+    JOINT_KEYS};
+
+static const struct hobe_lua_schema support_schema = {"support", support_keys};
+static const struct hobe_lua_schema joint_schema = {"joint", joint_keys};
+
+static int push_joint(lua_State *L, const struct hobe_lua_schema *schema)
+{
+    struct joint read = {0};
+    hobe_lua_read(L, 1, schema, &read);
+    read.joint.kind = (enum hobe_joint_kind)(read.kind - 1);
+    struct hobe_joint *j = &push_item(L, ITEM_JOINT, &read.joint, sizeof read.joint)->as.joint;
+    j->where = keep(L, WHERE);
+    j->beam[0] = keep_copy(L, j->beam[0], NAME);
+    if (j->beam[1])
+        j->beam[1] = keep_copy(L, j->beam[1], OTHER);
+    j->name = keep_own_name(L, j->name);
+    return 1;
+}
+
+static int support(lua_State *L)
+{
+    lua_settop(L, 1);
+    push_joint(L, &support_schema);
+    const struct hobe_lua_item *item = lua_touserdata(L, 2);
+    hobe_lua_push_key(L, 1, &support_schema, "to");
+    if (lua_isnil(L, -1) == (item->as.joint.kind == HOBE_JOINT_DISTANCE))
+        hobe_lua_fail(L,
+                      "support: a support of kind distance, and no other, needs to, the point of "
+                      "the ground {x, y, z}");
+    lua_settop(L, 2);
+    return 1;
+}
+
+static int joint(lua_State *L)
+{
+    return push_joint(L, &joint_schema);
 }
 
 static const struct hobe_lua_key join_keys[] = {
@@ -294,6 +383,13 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      &beam_schema, NULL},
     {"clamp", clamp, "hobe.clamp{\"beam\", at =}", "Holds a node of a beam in place and direction.",
      &clamp_schema, NULL},
+    {"support", support, "hobe.support{\"beam\", at =, kind =, axis =}",
+     "Holds a place of a beam as a joint to the ground would.", &support_schema, NULL},
+    {"joint", joint, "hobe.joint{\"a\", \"b\", at = {1, 0}, kind =, axis =}",
+     "A joint between places of two beams, which must coincide but for a distance.  Directions "
+     "that move with a beam "
+     "are carried by its section's slopes y and z and by their normal.",
+     &joint_schema, NULL},
     {"join", join, "hobe.join{\"a\", \"b\", at = {1, 0}}",
      "Makes ends of two beams one node, rigidly, at any angle; the ends must coincide.",
      &join_schema, NULL},

@@ -9,7 +9,7 @@
 #define HOBE_LUA_SCENE "hobe.scene"
 #define HOBE_LUA_CURVE "hobe.curve"
 
-enum hobe_lua_kind { ITEM_BEAM, ITEM_CLAMP, ITEM_FORCE, ITEM_MOMENT, ITEM_GRAVITY, ITEM_JOIN };
+enum hobe_lua_kind { ITEM_BEAM, ITEM_CLAMP, ITEM_FORCE, ITEM_MOMENT, ITEM_GRAVITY, ITEM_JOIN, ITEM_JOINT };
 
 struct hobe_lua_gravity {
     const char *where;
@@ -27,6 +27,7 @@ struct hobe_lua_item {
         struct hobe_moment moment;
         struct hobe_lua_gravity gravity;
         struct hobe_join join;
+        struct hobe_joint joint;
     } as;
 };
 

@@ -82,6 +82,8 @@ static enum hobe_status add_item(hobe_model *model, const struct hobe_lua_item *
         return hobe_model_gravity(model, item->as.gravity.where, item->as.gravity.value, err);
     case ITEM_JOIN:
         return hobe_model_join(model, &item->as.join, err);
+    case ITEM_JOINT:
+        return hobe_model_joint(model, &item->as.joint, err);
     }
     return HOBE_OK;
 }

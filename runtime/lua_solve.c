@@ -291,6 +291,19 @@ static int wall_bending(lua_State *L)
                                                {0}});
 }
 
+/* r:reaction(name) */
+static int reaction(lua_State *L)
+{
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_reaction is;
+    struct hobe_error err;
+    const char *name = hobe_lua_text(L, 2, "reaction: the name");
+    if (hobe_solution_reaction(result->solution, name, &is, &err))
+        hobe_lua_raise(L, &err);
+    return push_parts(L,
+                      (const struct part[]){{"force", is.force, 3}, {"moment", is.moment, 3}, {0}});
+}
+
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"displacement", displacement, "r:displacement(beam, at [, y, z])",
      "`{u1, u2, u3}`, m, global axes, at the fraction `at` of the beam's length; of the axis, or "
@@ -329,6 +342,10 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "of a wide wall may come earlier.  `hobe.static` and `hobe.path` warn where `loss` is more "
      "than 0.05, and beyond the limit torque, on standard error and in a note, but not of sections "
      "that vary along the beam, whose solution takes too long to be asked always.",
+     NULL, NULL},
+    {"reaction", reaction, "r:reaction(name)",
+     "What the clamp or support called `name` does to its beam, a joint to its second beam: "
+     "`force`, `{x, y, z}`, N, and `moment` about the place where it sits, N m, global axes.",
      NULL, NULL},
     {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
     {0}};

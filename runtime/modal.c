@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Natural frequencies and mode shapes about an equilibrium: K phi = omega^2 M phi.
  *
- * Rigid corners border K with multipliers, which have no mass: Lanczos' method in the inner product
- * of M keeps to the finite part of that pencil. */
+ * Joints and rigid corners border K with multipliers, which have no mass: Lanczos' method in the
+ * inner product of M keeps to the finite part of that pencil. */
 #include "load.h"
 #include "modes.h"
 #include "pattern.h"

@@ -3,6 +3,7 @@
 #include "model.h"
 
 #include "constraint.h"
+#include "joint.h"
 #include "load.h"
 #include "numbering.h"
 #include "pattern.h"
@@ -13,7 +14,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { MAX_ELEMENTS = 1000000 };
+enum { MAX_ELEMENTS = 1000000, MOST_NAMES = 3 /* of an item */ };
 
 double hobe_seconds(void)
 {
@@ -66,11 +67,14 @@ void hobe_model_free(hobe_model *model)
     for (size_t i = 0; i < model->beams.count; i++)
         beam_free(model_beam(model, i));
     hobe_free(model->beams.item);
-    free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 1);
+    free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 2);
     free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
     free_named(&model->moments, sizeof(struct hobe_moment), offsetof(struct hobe_moment, beam), 1);
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
-    hobe_free(model->corners.item);
+    free_named(&model->joints, sizeof(struct hobe_joint), offsetof(struct hobe_joint, beam), 3);
+    for (size_t i = 0; i < model->ties.count; i++)
+        tie_free(model_tie(model, i));
+    hobe_free(model->ties.item);
     hobe_linsolve_free(model->solver);
     pattern_free(&model->pattern);
     hobe_free(model->alias);
@@ -157,20 +161,21 @@ enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec
     return status;
 }
 
-/* Adds a copy of an item whose first `names` beam names, at the given offset, are copied too. */
+/* Adds a copy of an item whose `names` texts from the given offset on, NULL or not, are copied too.
+ */
 static enum hobe_status add_item(struct list *list, const void *item, size_t size, size_t offset,
                                  int names, struct hobe_error *err)
 {
-    char *copy[2] = {NULL, NULL};
-    const char *name[2];
+    char *copy[MOST_NAMES] = {NULL};
+    const char *name[MOST_NAMES];
     memcpy(name, (const char *)item + offset, (size_t)names * sizeof *name);
     int copied = 0;
-    while (copied < names && (copy[copied] = copy_text(name[copied], err)))
+    while (copied < names && (!name[copied] || (copy[copied] = copy_text(name[copied], err))))
         copied++;
     char *added = copied == names ? list_append(list, size, err) : NULL;
     if (!added) {
-        hobe_free(copy[0]);
-        hobe_free(copy[1]);
+        for (int i = 0; i < copied; i++)
+            hobe_free(copy[i]);
         return HOBE_NO_MEMORY;
     }
     memcpy(added, item, size);
@@ -178,12 +183,39 @@ static enum hobe_status add_item(struct list *list, const void *item, size_t siz
     return HOBE_OK;
 }
 
+/* Reactions are asked for by name, so that no two supports or joints may have the same. */
+static enum hobe_status check_name(const hobe_model *model, const char *name, const char *where,
+                                   struct hobe_error *err)
+{
+    const struct hobe_clamp *clamp = model->clamps.item;
+    const struct hobe_joint *joint = model->joints.item;
+    int twice = 0;
+    for (size_t i = 0; name && i < model->clamps.count; i++)
+        twice |= clamp[i].name && !strcmp(clamp[i].name, name);
+    for (size_t i = 0; name && i < model->joints.count; i++)
+        twice |= joint[i].name && !strcmp(joint[i].name, name);
+    return twice
+               ? hobe_fail(err, HOBE_BAD_INPUT, where,
+                           "there are two supports or joints \"%s\"; give each its own name", name)
+               : HOBE_OK;
+}
+
 enum hobe_status hobe_model_clamp(hobe_model *model, const struct hobe_clamp *spec,
                                   struct hobe_error *err)
 {
-    if (check_at(model, spec->at, spec->where, err))
+    if (check_at(model, spec->at, spec->where, err) ||
+        check_name(model, spec->name, spec->where, err))
         return HOBE_BAD_INPUT;
-    return add_item(&model->clamps, spec, sizeof *spec, offsetof(struct hobe_clamp, beam), 1, err);
+    return add_item(&model->clamps, spec, sizeof *spec, offsetof(struct hobe_clamp, beam), 2, err);
+}
+
+enum hobe_status hobe_model_joint(hobe_model *model, const struct hobe_joint *spec,
+                                  struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err) || joint_check(spec, err) ||
+        check_name(model, spec->name, spec->where, err))
+        return HOBE_BAD_INPUT;
+    return add_item(&model->joints, spec, sizeof *spec, offsetof(struct hobe_joint, beam), 3, err);
 }
 
 enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *spec,

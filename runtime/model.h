@@ -38,8 +38,8 @@ struct workspace { /* of one batch, large enough for every beam */
 };
 
 struct hobe_model {
-    struct list beams, clamps, forces, moments, joins; /* struct beam, hobe_clamp, ... */
-    struct list corners;                               /* struct corner (constraint.h) */
+    struct list beams, clamps, forces, moments, joins, joints; /* struct beam, hobe_clamp, ... */
+    struct list ties; /* struct tie (constraint.h), of corners and joints */
     double gravity[3];
     const char *gravity_where;
     int built;

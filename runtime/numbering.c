@@ -4,11 +4,13 @@
 
 #include "constraint.h"
 #include "element.h"
+#include "joint.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* Beams in the order added, then one block of multipliers for every join: more than enough. */
+/* Beams in the order added, then a block of multipliers for every join and two for every joint:
+ * more than enough. */
 static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *err)
 {
     model->vectors = 0;
@@ -18,7 +20,7 @@ static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *e
         model->vectors += (long)beam->step * (beam->spec.elements - 1) + beam->kernel->vectors;
     }
     model->beam_vectors = model->vectors;
-    const size_t n = (size_t)model->vectors + model->joins.count;
+    const size_t n = (size_t)model->vectors + model->joins.count + 2 * model->joints.count;
     model->alias = hobe_alloc(n, sizeof *model->alias, err);
     model->unknown = hobe_alloc(n, sizeof *model->unknown, err);
     model->held = hobe_alloc(n, sizeof *model->held, err);
@@ -122,10 +124,13 @@ static enum hobe_status hold_clamps(hobe_model *model, struct hobe_error *err)
 /* A corner between held sections has nothing to say: its multipliers would be undetermined. */
 static void hold_idle_corners(hobe_model *model)
 {
-    for (size_t i = 0; i < model->corners.count; i++) {
-        const long *v = model_corner(model, i)->vector;
-        model->held[v[4]] =
-            model->held[v[0]] && model->held[v[1]] && model->held[v[2]] && model->held[v[3]];
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        unsigned char held = 1;
+        for (int v = 0; v < tie->vectors - tie->blocks; v++)
+            held &= model->held[tie->vector[v]];
+        if (tie->corner)
+            model->held[tie->multiplier] = held;
     }
 }
 
@@ -156,29 +161,27 @@ static void group_beams(const hobe_model *model, size_t *group)
                 group_of(group, owner(model, model->alias[v]));
 }
 
-/* A beam is held when its group has a clamp: joins and clamps stop all six rigid motions. */
+/* A group with a clamp is held in all six rigid motions; others depend on joints and supports. */
 static enum hobe_status check_held(const hobe_model *model, struct hobe_error *err)
 {
     const size_t n = model->beams.count;
-    size_t *group = hobe_alloc(2 * n, sizeof *group, err);
-    if (!group)
-        return HOBE_NO_MEMORY;
-    size_t *clamped = group + n; /* for each root, whether its group has a clamp */
-    enum hobe_status status = HOBE_OK;
-    group_beams(model, group);
-    for (size_t c = 0; c < model->clamps.count; c++) {
+    size_t *group = hobe_alloc(n, sizeof *group, err);
+    unsigned char *clamped =
+        hobe_alloc(n, 1, err); /* for each root, whether its group has a clamp */
+    enum hobe_status status = group && clamped ? HOBE_OK : HOBE_NO_MEMORY;
+    if (!status)
+        group_beams(model, group);
+    for (size_t c = 0; !status && c < model->clamps.count; c++) {
         const char *name = ((const struct hobe_clamp *)model->clamps.item)[c].beam;
         const struct beam *beam = model_find_beam(model, name, NULL, NULL);
         clamped[group_of(group, (size_t)(beam - model_beam(model, 0)))] = 1;
     }
     for (size_t i = 0; !status && i < n; i++)
-        if (!clamped[group_of(group, i)])
-            status = hobe_fail(err, HOBE_UNCONSTRAINED, model_beam(model, i)->spec.where,
-                               "beam \"%s\" is free to move: translations along x, y, z and "
-                               "rotations about x, y, z; hold it by a clamp or join it to a held "
-                               "beam",
-                               model_beam(model, i)->name);
+        group[i] = group_of(group, i);
+    if (!status)
+        status = joint_check_held(model, group, clamped, err);
     hobe_free(group);
+    hobe_free(clamped);
     return status;
 }
 
@@ -195,6 +198,8 @@ enum hobe_status number_model(hobe_model *model, struct hobe_error *err)
     if (!status)
         status = join_beams(model, err);
     if (!status)
+        status = joint_beams(model, err);
+    if (!status)
         status = hold_dropped(model, err);
     if (!status)
         status = hold_clamps(model, err);
@@ -206,5 +211,5 @@ enum hobe_status number_model(hobe_model *model, struct hobe_error *err)
         return status;
     hold_idle_corners(model);
     number_unknowns(model);
-    return HOBE_OK;
+    return joint_check_redundant(model, err);
 }

@@ -128,16 +128,16 @@ static enum outcome iterate(struct follower *f, const struct plane *plane, struc
 static enum outcome count_and_factor(struct follower *f, struct hobe_error *err)
 {
     struct solver *s = &f->s;
-    const int corners = inertia_multipliers(s->model) > 0;
-    long negative = -1;
+    long negative = -1, spare;
+    const int tied = inertia_multipliers(s->model, &spare) > 0;
     solver_evaluate(s, f->lambda, 1);
-    if (corners && f->symmetric) {
-        if (inertia_behind_corners(s->model, s->Ax, s->scale, &negative, err))
+    if (tied && f->symmetric) {
+        if (inertia_behind_ties(s->model, s->Ax, s->scale, &negative, err))
             return ERROR;
         solver_evaluate(s, f->lambda, 1);
     }
     const enum outcome outcome = solver_factor(s, err);
-    if (outcome == CONVERGED && !corners && f->symmetric)
+    if (outcome == CONVERGED && !tied && f->symmetric)
         negative = hobe_linsolve_negative(s->model->solver);
     s->info.negative = (int)negative;
     return outcome;

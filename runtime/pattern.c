@@ -36,11 +36,11 @@ static void each_pair(const struct hobe_model *model, void (*visit)(struct patte
                         visit(pattern, i, j);
                 }
     }
-    for (size_t n = 0; n < model->corners.count; n++) {
-        const struct corner *c = model_corner(model, n);
-        for (int w = 0; w < CORNER_VECTORS; w++)
-            for (int v = 0; v < CORNER_VECTORS; v++) {
-                const long i = model->unknown[c->vector[v]], j = model->unknown[c->vector[w]];
+    for (size_t n = 0; n < model->ties.count; n++) {
+        const struct tie *tie = model_tie(model, n);
+        for (int w = 0; w < tie->vectors; w++)
+            for (int v = 0; v < tie->vectors; v++) {
+                const long i = model->unknown[tie->vector[v]], j = model->unknown[tie->vector[w]];
                 if (i >= 0 && j >= 0)
                     visit(pattern, i, j);
             }
@@ -125,12 +125,13 @@ static enum hobe_status scatter_map(const struct hobe_model *model, struct beam 
     return HOBE_OK;
 }
 
-static void corner_map(const struct hobe_model *model, struct corner *c)
+static void tie_map(const struct hobe_model *model, const struct tie *tie)
 {
-    for (int v = 0; v < CORNER_VECTORS; v++)
-        for (int w = 0; w < CORNER_VECTORS; w++) {
-            const long i = model->unknown[c->vector[v]], j = model->unknown[c->vector[w]];
-            c->block[v][w] = i >= 0 && j >= 0 ? find_block(&model->pattern, i, j) : -1;
+    long *block = tie->block;
+    for (int v = 0; v < tie->vectors; v++)
+        for (int w = 0; w < tie->vectors; w++) {
+            const long i = model->unknown[tie->vector[v]], j = model->unknown[tie->vector[w]];
+            *block++ = i >= 0 && j >= 0 ? find_block(&model->pattern, i, j) : -1;
         }
 }
 
@@ -152,8 +153,8 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
     enum hobe_status status = scalar_columns(p, err);
     for (size_t b = 0; !status && b < model->beams.count; b++)
         status = scatter_map(model, model_beam(model, b), err);
-    for (size_t i = 0; !status && i < model->corners.count; i++)
-        corner_map(model, model_corner(model, i));
+    for (size_t i = 0; !status && i < model->ties.count; i++)
+        tie_map(model, model_tie(model, i));
     return status;
 }
 

@@ -194,7 +194,7 @@ static enum hobe_status check_state(const struct pencil *s, const char *what,
 enum hobe_status pencil_choose(const struct pencil *s, struct hobe_modal_options *o,
                                struct hobe_error *err)
 {
-    const long all = s->n - 2 * s->multipliers;
+    const long all = s->rank;
     if (o->modes == 0)
         o->modes = all < DEFAULT_MODES ? (int)all : DEFAULT_MODES;
     if (o->modes < 1 || o->modes > all)
@@ -203,7 +203,8 @@ enum hobe_status pencil_choose(const struct pencil *s, struct hobe_modal_options
                          o->modes);
     if (o->method == HOBE_MODAL_DENSE && s->multipliers)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "method \"dense\" does not hold for rigid corners; use \"lanczos\"");
+                         "method \"dense\" does not hold for joints and rigid corners; use "
+                         "\"lanczos\"");
     if (o->method == HOBE_MODAL_AUTO)
         o->method = !s->multipliers && (s->n <= FEW_UNKNOWNS || o->modes > s->n / 4)
                         ? HOBE_MODAL_DENSE
@@ -226,7 +227,9 @@ enum hobe_status pencil_open(struct pencil *s, const char *what, struct hobe_err
         return HOBE_BAD_INPUT;
     const size_t size = (size_t)(3 * s->model->vectors), n = (size_t)(3 * s->model->unknowns);
     s->n = (long)n;
-    s->multipliers = inertia_multipliers(s->model);
+    long spare;
+    s->multipliers = inertia_multipliers(s->model, &spare);
+    s->rank = s->n - 2 * s->multipliers - spare;
     s->u = hobe_alloc(size, sizeof *s->u, err);
     s->r = hobe_alloc(size, sizeof *s->r, err);
     s->scale = hobe_alloc(n, sizeof *s->scale, err);

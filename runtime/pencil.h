@@ -17,6 +17,7 @@ struct pencil {
     int buckling;         /* K is definite and M is not: K's inner product, and mu > 0 is wanted */
     double least;         /* the nu up to which such a mu is taken for infinite */
     long n, multipliers;  /* scalar unknowns, and how many of them are multipliers */
+    long rank;            /* modes that there are: those of K^-1 M */
     double *u, *r;        /* [vectors][3] state, and a force nobody reads */
     double *Ax, *Mx;      /* D K D and D M D in the model's pattern */
     double *Sx;           /* a shifted matrix */

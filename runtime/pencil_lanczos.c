@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Modes of large models and of models with corners: Lanczos' method about a shift, and the count of
+/* Modes of large models and of models with ties: Lanczos' method about a shift, and the count of
  * modes below it that says whether one was missed. */
 #include "pencil.h"
 
@@ -51,7 +51,7 @@ enum hobe_status pencil_count(struct pencil *s, double sigma, long *below, struc
     enum hobe_status status = HOBE_OK;
     shift(s, sigma);
     if (s->multipliers) {
-        status = inertia_behind_corners(s->model, s->Sx, s->ones, below, err);
+        status = inertia_behind_ties(s->model, s->Sx, s->ones, below, err);
         shift(s, sigma);
     }
     if (status)
@@ -71,13 +71,13 @@ enum hobe_status pencil_count(struct pencil *s, double sigma, long *below, struc
 
 /* The `unstable` modes with negative nu = 1/mu, and the first of the others; without a count
  * those nearest to zero. */
-static enum hobe_status run_lanczos(struct pencil *s, int modes, long unstable, long rank,
+static enum hobe_status run_lanczos(struct pencil *s, int modes, long unstable,
                                     struct hobe_error *err)
 {
     const struct eigen_pencil pencil = {(int)s->n, s, pencil_multiply,
                                         s->buckling ? pencil_multiply_stiffness : NULL,
                                         solve_factored};
-    const int most = (int)rank, below = unstable > 0 ? (int)unstable : 0;
+    const int most = (int)s->rank, below = unstable > 0 ? (int)unstable : 0;
     enum hobe_status status = pencil_make_room(s, modes > below ? modes : below, err);
     if (!status && below)
         status = eigen_lanczos(&pencil, EIGEN_SMALLEST, below, most, s->mu, s->X, err);
@@ -129,13 +129,12 @@ static enum hobe_status count_missing(struct pencil *s, int modes, long *missing
 
 enum hobe_status pencil_lanczos(struct pencil *s, int modes, int *unstable, struct hobe_error *err)
 {
-    const long rank = s->n - 2 * s->multipliers; /* of K^-1 M */
     double *buffer = hobe_alloc((size_t)s->n, sizeof *buffer, err);
     enum hobe_status status = buffer ? HOBE_OK : HOBE_NO_MEMORY;
     long missing = 1, asked = modes;
     for (int attempt = 0; !status && missing > 0; attempt++) {
         long below;
-        if (attempt == ATTEMPTS || asked >= rank) {
+        if (attempt == ATTEMPTS || asked >= s->rank) {
             status = hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
                                "Lanczos' method overlooks %ld of the %d lowest modes; ask for "
                                "another number of modes, or use method = \"dense\"",
@@ -147,7 +146,7 @@ enum hobe_status pencil_lanczos(struct pencil *s, int modes, int *unstable, stru
             status = pencil_fail_unstable(err);
         *unstable = (int)below;
         if (!status)
-            status = run_lanczos(s, (int)asked, below, rank, err);
+            status = run_lanczos(s, (int)asked, below, err);
         if (status)
             break;
         sort_modes(s, buffer);

@@ -168,7 +168,7 @@ static void bad_at(double at, const char *words)
     const struct hobe_beam beam = good_beam();
     hobe_model *model = cantilever(&beam, 0);
     struct hobe_error err = fresh();
-    const struct hobe_clamp clamp = {TAG, "beam", at, 0};
+    const struct hobe_clamp clamp = {TAG, "beam", NULL, at, 0};
     refused(hobe_model_clamp(model, &clamp, &err), HOBE_BAD_INPUT, &err, TAG, words);
     err = fresh();
     const struct hobe_force force = {TAG, "beam", at, {1, 2, 3}, 0};
@@ -227,7 +227,7 @@ static void unknown_beams(void)
 {
     struct hobe_error err;
     hobe_model *model = good_scene();
-    hobe_model_clamp(model, &(struct hobe_clamp){TAG, "baem", 0, 0}, &err);
+    hobe_model_clamp(model, &(struct hobe_clamp){TAG, "baem", NULL, 0, 0}, &err);
     bad_scene(model, HOBE_UNKNOWN, "no beam \"baem\" in the scene; beams are: \"beam\"");
     model = good_scene();
     hobe_model_force(model, &(struct hobe_force){TAG, "tip", 0, {1, 0, 0}, 0}, &err);
@@ -291,10 +291,10 @@ static void bad_supports(void)
               "beam \"beam\" is free to move: translations along x, y, z and rotations");
     bad_scene(two_beams(1, 0, 0), HOBE_UNCONSTRAINED, "beam \"arm\" is free to move");
     model = good_scene();
-    hobe_model_clamp(model, &(struct hobe_clamp){TAG, "beam", 0.3, 0}, &err);
+    hobe_model_clamp(model, &(struct hobe_clamp){TAG, "beam", NULL, 0.3, 0}, &err);
     bad_scene(model, HOBE_BAD_INPUT, "none of their nodes with a position at 0.3");
     model = good_scene(); /* the middle node of MGD30w has slopes, no position */
-    hobe_model_clamp(model, &(struct hobe_clamp){TAG, "beam", 0.25, 0}, &err);
+    hobe_model_clamp(model, &(struct hobe_clamp){TAG, "beam", NULL, 0.25, 0}, &err);
     bad_scene(model, HOBE_BAD_INPUT, "a clamp must sit on a node: beam \"beam\" has 2 elements");
     beam.kernel = hobe_find_kernel("BE24", &err);
     beam.elements = 1;
@@ -373,7 +373,7 @@ static void long_lists(void)
         snprintf(name, sizeof name, "a beam with a long name, number %d", i);
         add_beam(model, &beam);
     }
-    hobe_model_clamp(model, &(struct hobe_clamp){TAG, "none", 0, 0}, &err);
+    hobe_model_clamp(model, &(struct hobe_clamp){TAG, "none", NULL, 0, 0}, &err);
     bad_scene(model, HOBE_UNKNOWN, "no beam \"none\"");
 }
 
@@ -393,7 +393,7 @@ static void too_late(int fails)
     other.where = TAG;
     const enum hobe_status status[6] = {
         hobe_model_beam(model, &other, err),
-        hobe_model_clamp(model, &(struct hobe_clamp){TAG, "beam", 0, 0}, err + 1),
+        hobe_model_clamp(model, &(struct hobe_clamp){TAG, "beam", NULL, 0, 0}, err + 1),
         hobe_model_force(model, &(struct hobe_force){TAG, "beam", 0, {0}, 0}, err + 2),
         hobe_model_moment(model, &(struct hobe_moment){TAG, "beam", 0, {0}}, err + 3),
         hobe_model_join(model, &(struct hobe_join){TAG, {"beam", "other"}, {1, 0}}, err + 4),

@@ -13,6 +13,7 @@ struct run {
     hobe_model *model;
     hobe_solution *solution;
     struct hobe_point tip;
+    struct hobe_reaction reaction[2];
     struct hobe_error err;
 };
 
@@ -40,7 +41,12 @@ static enum hobe_status add_beams(struct run *run)
 
 static enum hobe_status add_items(struct run *run)
 {
-    const struct hobe_clamp clamp = {.beam = "inner", .at = 0, .free_warping = 1};
+    const struct hobe_clamp clamp = {.beam = "inner", .name = "root", .at = 0, .free_warping = 1};
+    const struct hobe_joint joint = {.beam = {"outer"},
+                                     .name = "prop",
+                                     .at = {0.8},
+                                     .kind = HOBE_JOINT_INPLANE,
+                                     .axis = {0, 0, 1}};
     const struct hobe_join joins[] = {{.beam = {"inner", "outer"}, .at = {1, 0}},
                                       {.beam = {"upright", "outer"}, .at = {0, 1}}};
     const struct hobe_force forces[] = {
@@ -48,6 +54,8 @@ static enum hobe_status add_items(struct run *run)
         {.beam = "inner", .at = 0.3, .value = {5, 0, 10}, .follower = 1}};
     const struct hobe_moment moment = {.beam = "outer", .at = 0.5, .value = {10, 20, 30}};
     enum hobe_status status = hobe_model_clamp(run->model, &clamp, &run->err);
+    if (!status)
+        status = hobe_model_joint(run->model, &joint, &run->err);
     for (int i = 0; !status && i < 2; i++)
         status = hobe_model_join(run->model, joins + i, &run->err);
     for (int i = 0; !status && i < 5; i++) /* enough that the list grows */
@@ -76,8 +84,12 @@ static enum hobe_status go(struct run *run)
     if (!status)
         status =
             hobe_static(run->model, &(struct hobe_newton){.steps = 1}, &run->solution, &run->err);
+    check_that(!run->solution || !status, "no solution is left behind a failure");
     if (!status)
         status = hobe_solution_point(run->solution, "outer", 1, 0.01, 0.02, &run->tip, &run->err);
+    for (int i = 0; !status && i < 2; i++)
+        status = hobe_solution_reaction(run->solution, i ? "prop" : "root", &run->reaction[i],
+                                        &run->err);
     return status;
 }
 
@@ -106,7 +118,6 @@ static int fail_at(long n, const struct hobe_point *expected)
                        !strchr(run.err.message, '\n'),
                    "allocation %ld of %ld: \"%s\", \"%s\"", n, seen, hobe_status_words(status),
                    run.err.message);
-    check_that(!run.solution || !status, "no solution is left behind a failure");
     close_run(&run);
     return through;
 }

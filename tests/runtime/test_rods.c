@@ -255,8 +255,8 @@ static void joined(double start, int corners, double height, double off[3])
     add_join(model, "beam", 1, "arc", 0);
     add_force(model, "arc", 1, F[0], F[1], F[2]);
     hobe_solution *solution = solve(model, 1);
-    check_that((int)model->corners.count == corners, "start %g: %d corners", start,
-               (int)model->corners.count);
+    check_that((int)model->ties.count == corners, "start %g: %d corners", start,
+               (int)model->ties.count);
     const struct hobe_point tip = point_of(solution, "arc", 1, 0, 0);
     const struct hobe_point at[2] = {point_of(solution, "beam", 1, 0, 0),
                                      point_of(solution, "arc", 0, 0, 0)};

@@ -1,0 +1,336 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Joints and supports: a table of kinds, each a choice of constraints; whether those of a scene
+ * hold it, and whether any is one too many. */
+#include "joint.h"
+
+#include "constraint.h"
+#include "rank.h"
+#include "vector3.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Which relative motions a joint stops, by its axis; of rotations CROSSED leaves two axes at a
+ * right angle: that of the first part and the second one, of the second part; of translations APART
+ * leaves those that keep the distance. */
+enum stopped { NONE, ALL, APART, ACROSS, ALONG, CROSSED };
+
+enum { MOTIONS = 80 }; /* characters that name six motions */
+
+static const struct kind {
+    const char *name;
+    enum stopped shift, turn;
+} kinds[] = {
+    [HOBE_JOINT_FIXED] = {"fixed", ALL, ALL},
+    [HOBE_JOINT_SPHERICAL] = {"spherical", ALL, NONE},
+    [HOBE_JOINT_REVOLUTE] = {"revolute", ALL, ACROSS},
+    [HOBE_JOINT_UNIVERSAL] = {"universal", ALL, CROSSED},
+    [HOBE_JOINT_CYLINDRICAL] = {"cylindrical", ACROSS, ACROSS},
+    [HOBE_JOINT_PRISMATIC] = {"prismatic", ACROSS, ALL},
+    [HOBE_JOINT_PLANAR] = {"planar", ALONG, ACROSS},
+    [HOBE_JOINT_INLINE] = {"inline", ACROSS, NONE},
+    [HOBE_JOINT_INPLANE] = {"inplane", ALONG, NONE},
+    [HOBE_JOINT_DISTANCE] = {"distance", APART, NONE},
+};
+
+/* Joined places must coincide to this fraction of the beams' length. */
+static const double COINCIDENT = 1e-6;
+
+const char *hobe_joint_name(enum hobe_joint_kind kind)
+{
+    return kind >= 0 && kind < sizeof kinds / sizeof *kinds ? kinds[kind].name : NULL;
+}
+
+/* ---- what is asked for ----------------------------------------------------------------------- */
+
+/* unit = axis/|axis| and two more that make a right-handed triad with it: rows t[0], t[1], t[2]. */
+static void make_triad(const double axis[3], double t[3][3])
+{
+    const double length = length3(axis);
+    int least = 0;
+    for (int a = 0; a < 3; a++) {
+        t[0][a] = axis[a] / length;
+        least = fabs(axis[a]) < fabs(axis[least]) ? a : least;
+    }
+    cross3(t[0], (const double[3]){least == 0, least == 1, least == 2}, t[1]);
+    const double across = length3(t[1]);
+    for (int a = 0; a < 3; a++)
+        t[1][a] /= across;
+    cross3(t[0], t[1], t[2]);
+}
+
+static enum hobe_status check_axes(const struct hobe_joint *joint, struct hobe_error *err)
+{
+    const struct kind *kind = kinds + joint->kind;
+    const double *axis = joint->axis, *second = joint->second;
+    const double size[2] = {length3(axis), length3(second)};
+    const int needed[2] = {kind->shift > APART || kind->turn > APART, kind->turn == CROSSED};
+    static const char *const key[2] = {"axis", "second"};
+    for (int i = 0; i < 2; i++)
+        if (!isfinite(size[i]) || needed[i] != (size[i] > 0))
+            return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                             needed[i] ? "a joint of kind %s needs %s, a direction {x, y, z} other "
+                                         "than {0, 0, 0}"
+                                       : "a joint of kind %s has no %s; leave it out",
+                             kind->name, key[i]);
+    if (needed[1] && fabs(dot3(axis, second)) > 1e-9 * size[0] * size[1])
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "the axes {%g, %g, %g} and {%g, %g, %g} of a universal joint must be at a "
+                         "right angle",
+                         axis[0], axis[1], axis[2], second[0], second[1], second[2]);
+    return HOBE_OK;
+}
+
+enum hobe_status joint_check(const struct hobe_joint *joint, struct hobe_error *err)
+{
+    for (int i = 0; i < 2; i++)
+        if (joint->beam[i] && !(joint->at[i] >= 0 && joint->at[i] <= 1))
+            return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                             "at must be a fraction of the beam's length from 0 to 1, got %g",
+                             joint->at[i]);
+    if (!hobe_joint_name(joint->kind))
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where, "there is no kind of joint %d",
+                         (int)joint->kind);
+    return check_axes(joint, err);
+}
+
+/* ---- ties ------------------------------------------------------------------------------------ */
+
+/* c[3] = the direction t as one of a section, on its n, y, z. */
+static void on_section(const struct tied *side, const double t[3], double c[3])
+{
+    for (int i = 0; i < 3; i++)
+        c[i] = dot3(side->frame[i], t);
+}
+
+/* A direction s of b stays at a right angle to the direction t of a. */
+static void keep_normal(struct tie *tie, const double t[3], const double s[3])
+{
+    double a[3], b[3];
+    struct constraint *c = tie_constraint(tie);
+    on_section(tie->side, t, a);
+    on_section(tie->side + 1, s, b);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            c->turn[i][j] = a[i] * b[j];
+}
+
+static void stop_turning(struct tie *tie, enum stopped turn, const double t[3][3],
+                         const double second[3])
+{
+    if (turn == ALL)
+        tie_turning(tie);
+    for (int i = 1; turn == ACROSS && i < 3; i++)
+        keep_normal(tie, t[i], t[0]);
+    if (turn == CROSSED)
+        keep_normal(tie, t[0], second);
+}
+
+/* (|g + d|^2 - |g|^2)/(2 |g|) = 0, g the gap in the reference. */
+static void keep_distance(struct tie *tie, const double gap[3])
+{
+    struct constraint *c = tie_constraint(tie);
+    c->bend = 1 / length3(gap);
+    for (int a = 0; a < 3; a++)
+        c->hold[a] = gap[a] * c->bend;
+}
+
+static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3][3],
+                          const double gap[3])
+{
+    if (shift == APART)
+        keep_distance(tie, gap);
+    for (int i = 0; i < 3 && shift == ALL; i++)
+        tie_constraint(tie)->hold[i] = 1;
+    for (int i = 0; i < 3; i++)
+        if (shift == (i == 0 ? ALONG : ACROSS))
+            on_section(tie->side, t[i], tie_constraint(tie)->slide);
+}
+
+/* Finds both places and the gap from the first to the second. */
+static enum hobe_status find_places(const hobe_model *model, const struct hobe_joint *joint,
+                                    struct tied side[2], double gap[3], struct hobe_error *err)
+{
+    double length = 0;
+    side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
+    memcpy(side[0].position, joint->to, sizeof side[0].position);
+    const int beams = joint->beam[1] ? 2 : 1;
+    for (int i = 0; i < beams; i++) {
+        const struct beam *beam = model_find_beam(model, joint->beam[i], joint->where, err);
+        if (!beam)
+            return HOBE_UNKNOWN;
+        tied_at(model_place(beam, joint->at[i]), side + 2 - beams + i);
+        length = fmax(length, beam->length);
+    }
+    for (int a = 0; a < 3; a++)
+        gap[a] = side[1].position[a] - side[0].position[a];
+    const int apart = length3(gap) > COINCIDENT * length;
+    if (kinds[joint->kind].shift == APART)
+        return apart ? HOBE_OK
+                     : hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                                 "a joint of kind distance needs places that are apart; those of "
+                                 "\"%s\" and %s coincide",
+                                 joint->beam[0], beams == 2 ? joint->beam[1] : "the ground");
+    if (beams == 2 && apart)
+        return hobe_fail(
+            err, HOBE_BAD_INPUT, joint->where,
+            "the joined places of \"%s\" and \"%s\" are %g m apart; they must coincide",
+            joint->beam[0], joint->beam[1], length3(gap));
+    return HOBE_OK;
+}
+
+static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *joint,
+                                  struct hobe_error *err)
+{
+    struct tied side[2];
+    double gap[3], t[3][3] = {{0}}, second[3][3] = {{0}};
+    const enum hobe_status status = find_places(model, joint, side, gap, err);
+    if (status)
+        return status;
+    struct tie *tie = tie_add(model, side, side + 1, err);
+    if (!tie)
+        return HOBE_NO_MEMORY;
+    tie->where = joint->where;
+    tie->name = joint->name;
+    if (length3(joint->axis) > 0)
+        make_triad(joint->axis, t);
+    if (length3(joint->second) > 0)
+        make_triad(joint->second, second);
+    stop_turning(tie, kinds[joint->kind].turn, (const double(*)[3])t, second[0]);
+    stop_shifting(tie, kinds[joint->kind].shift, (const double(*)[3])t, gap);
+    return HOBE_OK;
+}
+
+enum hobe_status joint_beams(hobe_model *model, struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    for (size_t i = 0; !status && i < model->joints.count; i++)
+        status = add_joint(model, (const struct hobe_joint *)model->joints.item + i, err);
+    for (size_t i = 0; !status && i < model->ties.count; i++)
+        status = tie_resolve(model, model_tie(model, i), err);
+    return status;
+}
+
+/* ---- too few --------------------------------------------------------------------------------- */
+
+/* The work of a constraint on the rigid motion of what holds one of its places: translations along
+ * and rotations about x, y, z through a point, over a length; in six columns. */
+static void put_rigid(struct rank *rank, long column, const struct tied *side, const double J[3][3],
+                      const double point[3], double length)
+{
+    double turn[3], arm[3];
+    for (int a = 0; a < 3; a++) {
+        arm[a] = side->position[a] - point[a];
+        rank_put(rank, column + a, J[0][a]);
+    }
+    for (int i = 0; i < 3; i++) {
+        cross3(i ? side->D0[i] : arm, J[i], turn);
+        for (int a = 0; a < 3; a++)
+            rank_put(rank, column + 3 + a, turn[a] / length);
+    }
+}
+
+static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie, const size_t *root,
+                                 const unsigned char *held, struct rank *rank,
+                                 struct hobe_error *err)
+{
+    double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
+    enum hobe_status status = HOBE_OK;
+    int independent;
+    tie_jacobian(tie, NULL, J);
+    for (int k = 0; !status && k < tie->constraints; k++) {
+        for (int s = 0; s < 2; s++) {
+            const struct beam *beam = tie->side[s].place.beam;
+            if (!beam || held[root[beam - model_beam(model, 0)]])
+                continue;
+            const size_t group = root[beam - model_beam(model, 0)];
+            const struct beam *first = model_beam(model, group);
+            put_rigid(rank, 6 * (long)group, tie->side + s, (const double(*)[3])J[k] + 3 * s,
+                      first->end[0], first->length);
+        }
+        status = rank_add(rank, &independent, err);
+    }
+    return status;
+}
+
+/* Appends "translations along x, y" for what is not stopped. */
+static void list_motions(const char *kind, const char *how, const long stopped[3],
+                         char text[MOTIONS])
+{
+    const int free = !stopped[0] + !stopped[1] + !stopped[2];
+    size_t used = strlen(text);
+    if (free)
+        used += (size_t)snprintf(text + used, MOTIONS - used, "%s%s%s %s", used ? " and " : "",
+                                 kind, free > 1 ? "s" : "", how);
+    for (int a = 0, listed = 0; a < 3; a++)
+        if (!stopped[a])
+            used += (size_t)snprintf(text + used, MOTIONS - used, "%s %c", listed++ ? "," : "",
+                                     "xyz"[a]);
+}
+
+/* Names the motions that no constraint stops of the group of a beam. */
+static enum hobe_status name_motions(const struct beam *beam, const long stopped[6],
+                                     struct hobe_error *err)
+{
+    char text[MOTIONS] = "";
+    list_motions("translation", "along", stopped, text);
+    list_motions("rotation", "about", stopped + 3, text);
+    return hobe_fail(err, HOBE_UNCONSTRAINED, beam->spec.where,
+                     "beam \"%s\" is free to move: %s; hold it by a clamp or a support, or join it "
+                     "to a held beam",
+                     beam->name, text);
+}
+
+enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
+                                  const unsigned char *held, struct hobe_error *err)
+{
+    struct rank rank;
+    enum hobe_status status = rank_open(&rank, 6 * (long)model->beams.count, err);
+    for (size_t i = 0; !status && i < model->ties.count; i++)
+        if (!model_tie(model, i)->corner)
+            status = add_rows(model, model_tie(model, i), root, held, &rank, err);
+    for (size_t i = 0; !status && i < model->beams.count; i++)
+        for (int m = 0; !status && root[i] == i && !held[i] && m < 6; m++)
+            if (!rank.row_of[6 * i + (size_t)m])
+                status = name_motions(model_beam(model, i), rank.row_of + 6 * i, err);
+    rank_close(&rank);
+    return status;
+}
+
+/* ---- too many -------------------------------------------------------------------------------- */
+
+static enum hobe_status fail_redundant(const struct tie *tie, struct hobe_error *err)
+{
+    const struct place place = tie->side[1].place;
+    return hobe_fail(err, HOBE_BAD_INPUT, tie->where,
+                     "the %s%s%s%s of beam \"%s\" at %.4g stops motions that clamps or joints "
+                     "before it stop already; leave it out, or choose a kind that stops less",
+                     tie->corner ? "corner" : "joint", tie->name ? " \"" : "",
+                     tie->name ? tie->name : "", tie->name ? "\"" : "", place.beam->name,
+                     (place.element + place.xi) / place.beam->spec.elements);
+}
+
+enum hobe_status joint_check_redundant(const hobe_model *model, struct hobe_error *err)
+{
+    struct rank rank;
+    double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
+    enum hobe_status status = rank_open(&rank, 3 * model->unknowns, err);
+    for (size_t i = 0; !status && i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        int independent = 1;
+        tie_jacobian(tie, NULL, J);
+        for (int k = 0; !status && k < tie->constraints && !model->held[tie->multiplier]; k++) {
+            for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++) {
+                const long unknown = model->unknown[tie->vector[t->entry]];
+                for (int a = 0; unknown >= 0 && a < 3; a++)
+                    rank_put(&rank, 3 * unknown + a, t->weight * J[k][t->what][a]);
+            }
+            status = rank_add(&rank, &independent, err);
+            if (!status && !independent)
+                status = fail_redundant(tie, err);
+        }
+    }
+    rank_close(&rank);
+    return status;
+}

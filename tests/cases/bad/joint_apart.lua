@@ -1,0 +1,12 @@
+-- expect: bad/joint_apart\.lua:9: the joined places of "blade" and "blade" are 1 m apart; they must coincide$
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local scene = hobe.scene{
+  hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+             from = {0, 0, 0}, to = {1, 0, 0} },
+  hobe.clamp{ "blade", at = 0 },
+  hobe.joint{ "blade", "blade", at = {0, 1}, kind = "spherical" },
+  hobe.force{ "blade", at = 1, value = {0, 0, -10} },
+}
+local r = hobe.static(scene)
