@@ -282,8 +282,8 @@ static int support(lua_State *L)
     hobe_lua_push_key(L, 1, &support_schema, "to");
     if (lua_isnil(L, -1) == (item->as.joint.kind == HOBE_JOINT_DISTANCE))
         hobe_lua_fail(L,
-                      "support: a support of kind distance, and no other, needs to, the point of "
-                      "the ground {x, y, z}");
+                      "support: kind \"distance\" needs to = {x, y, z}, a point of the ground; no "
+                      "other kind has it");
     lua_settop(L, 2);
     return 1;
 }

@@ -302,6 +302,47 @@ static void fixed_and_clamped(void)
     hobe_section_free(section);
 }
 
+static enum hobe_status helix(void *context, double t, double *r, struct hobe_error *err)
+{
+    (void)context;
+    (void)err;
+    r[0] = cos(2 * t);
+    r[1] = sin(2 * t);
+    r[2] = t;
+    return HOBE_OK;
+}
+
+/* A support inside an element of a curved beam: it stays, and carries what the load asks for. */
+static void on_a_curve(void)
+{
+    const double F[3] = {2e3, 1e3, -3e3}, at = 0.37;
+    hobe_section *section = rectangle(0.05, 0.1);
+    hobe_curve *curve = curve_of(helix, NULL, NULL);
+    struct hobe_beam beam = beam_along_x("3433w", 5, section, E, 0.3, 1);
+    hobe_model *model = new_model();
+    beam.curve = curve;
+    add_beam(model, &beam);
+    add_support(model, "root", at, HOBE_JOINT_FIXED, X);
+    add_force(model, "beam", 1, F[0], F[1], F[2]);
+    hobe_solution *solution = solve(model, 1);
+    const struct hobe_point root = point_of(solution, "beam", at, 0, 0);
+    const struct hobe_point p = point_of(solution, "beam", 1, 0, 0);
+    const struct hobe_reaction is = reaction_of(solution, "root");
+    const double arm[3] = {p.r[0] - root.r[0], p.r[1] - root.r[1], p.r[2] - root.r[2]};
+    double M[3];
+    cross3(arm, F, M);
+    check_absolute(norm(root.u), 0, 1e-15, "the support on a curve stays");
+    for (int a = 0; a < 3; a++) {
+        check_absolute(is.force[a], -F[a], 1e-8 * norm(F), "on a curve: force %c", "xyz"[a]);
+        check_absolute(is.moment[a], -M[a], 1e-8 * norm(F), "on a curve: moment %c", "xyz"[a]);
+    }
+    check_that(norm(p.u) > 0.01, "the end moves by %g m", norm(p.u));
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_curve_free(curve);
+    hobe_section_free(section);
+}
+
 /* A frame whose corner is a join, or a fixed joint. */
 static void corner_and_fixed(void)
 {
@@ -663,6 +704,7 @@ int main(void)
     random_start();
     all_kinds();
     fixed_and_clamped();
+    on_a_curve();
     corner_and_fixed();
     simple_beam_bends();
     simple_beam_vibrates();
