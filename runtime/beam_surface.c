@@ -175,6 +175,7 @@ struct station {
     double at;
     struct hobe_surface face;
     struct stress_section stress; /* where the field is a stress */
+    double twist;                 /* where it is the twist: with its whole turns */
 };
 
 /* Makes the section at another place of the beam, whose surface is numbered alike. */
@@ -185,6 +186,8 @@ static enum hobe_status move_station(struct station *s, double at, struct hobe_e
     s->at = at;
     if (s->motion->field->stress)
         status = stress_section(s->motion->solution, s->beam->name, at, &s->stress, err);
+    else if (s->motion->field->value == twist)
+        status = hobe_solution_twist(s->motion->solution, s->beam->name, at, &s->twist, err);
     if (status || (s->face.points && !hobe_section_varies(section)))
         return status;
     hobe_surface_free(&s->face);
@@ -225,9 +228,10 @@ static enum hobe_status add_point(struct station *at, int i, struct hobe_surface
     const int p = s->points++;
     struct hobe_point point;
     enum hobe_status status;
-    if (motion->solution)
+    if (motion->solution) {
         status = hobe_solution_point(motion->solution, at->beam->name, at->at, y, z, &point, err);
-    else
+        point.twist = at->twist;
+    } else
         status = modes_displacement(motion->modes, motion->mode, at->beam->name, at->at, y, z,
                                     point.r0, point.u, err);
     if (!status)

@@ -588,6 +588,13 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
                                      double y, double z, struct hobe_point *point,
                                      struct hobe_error *err);
 
+/* *twist: that of hobe_point with its whole turns, rad.  They are counted along the beam from its
+ * first clamp, or from its begin where it has none, at which the twist is between -pi and pi; anew
+ * from where a bent beam makes r_z pass the direction of the section's X in the reference, where
+ * the angle jumps by half a turn. */
+enum hobe_status hobe_solution_twist(const hobe_solution *solution, const char *beam, double at,
+                                     double *twist, struct hobe_error *err);
+
 /* Stress by the law that the element has.  `average` and `axis` add the stress of the mean strain:
  * evenly, or in composite sections in proportion to E (normal) and G (shear); that of `axis`, which
  * acts on the axis, is shown spread evenly, too.  Shear factors k2, k3 scale the stresses xz, xy

@@ -196,7 +196,12 @@ static int strain(lua_State *L)
 
 static int twist(lua_State *L)
 {
-    lua_pushnumber(L, read_point(L, "twist").twist);
+    const struct spot s = read_spot(L, "twist");
+    struct hobe_error err;
+    double angle;
+    if (hobe_solution_twist(s.solution, s.beam, s.at, &angle, &err))
+        hobe_lua_raise(L, &err);
+    lua_pushnumber(L, angle);
     return 1;
 }
 
@@ -314,8 +319,10 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"rotation", rotation, "r:rotation(beam, at)",
      "The rotation vector of the section, rad, global axes.", NULL, NULL},
     {"twist", twist, "r:twist(beam, at)",
-     "`atan2(-r_z.Y, r_z.Z)`, rad, with Y and Z the section's axes before the load.  The slope "
-     "`r_y` would give another angle.",
+     "`atan2(-r_z.Y, r_z.Z)`, rad, with Y and Z the section's axes before the load, and its whole "
+     "turns, counted along the beam from its first clamp (its begin, without one).  The slope "
+     "`r_y` "
+     "would give another angle.",
      NULL, NULL},
     {"strain", strain, "r:strain(beam, at [, y, z])",
      "Green-Lagrange strain `{xx, yy, zz, 2yz, 2xz, 2xy}` in the section's axes.", NULL, NULL},

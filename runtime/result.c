@@ -8,6 +8,8 @@
 
 #include <string.h>
 
+enum { TWIST_STEPS = 8 }; /* of an element, between which less than a quarter of a turn is taken */
+
 /* The section modes at the places of a section where the volume is watched. */
 static enum hobe_status probe_modes(struct around *p, double phi[HOBE_PROBES][HOBE_MAX_MODES][4],
                                     struct hobe_error *err)
@@ -128,6 +130,17 @@ enum hobe_status solution_displacement(const hobe_model *model, const double *ve
     return HOBE_OK;
 }
 
+/* Angle of r_z on the axis about the section's X in the reference, between -pi and pi. */
+static double turned(const struct around *p, const double F[3][3])
+{
+    double zy = 0, zz = 0; /* r_z on the reference axes */
+    for (int a = 0; a < 3; a++) {
+        zy += F[a][2] * p->frame[1][a];
+        zz += F[a][2] * p->frame[2][a];
+    }
+    return atan2(-zy, zz);
+}
+
 enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *name, double at,
                                      double y, double z, struct hobe_point *point,
                                      struct hobe_error *err)
@@ -152,12 +165,46 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
     reference(&p, at, y, z, point->r0);
     for (int a = 0; a < 3; a++)
         point->r[a] = point->r0[a] + point->u[a];
-    double zy = 0, zz = 0; /* r_z on the reference axes */
-    for (int a = 0; a < 3; a++) {
-        zy += axis[a][2] * p.frame[1][a];
-        zz += axis[a][2] * p.frame[2][a];
-    }
-    point->twist = atan2(-zy, zz);
+    point->twist = turned(&p, (const double(*)[3])axis);
     section_rotation((const double(*)[3])axis, (const double(*)[3])p.frame, point->rotation);
+    return HOBE_OK;
+}
+
+/* Where turns are counted from: the first clamp of a beam, or its begin. */
+static double held_at(const hobe_model *model, const struct beam *beam)
+{
+    for (size_t i = 0; i < model->clamps.count; i++) {
+        const struct hobe_clamp *clamp = (const struct hobe_clamp *)model->clamps.item + i;
+        if (!strcmp(clamp->beam, beam->name))
+            return clamp->at;
+    }
+    return 0;
+}
+
+enum hobe_status hobe_solution_twist(const hobe_solution *solution, const char *name, double at,
+                                     double *twist, struct hobe_error *err)
+{
+    struct place place;
+    const struct beam *beam = around_find(solution->model, name, at, &place, err);
+    if (!beam)
+        return err ? err->status : HOBE_BAD_INPUT;
+    const double from = held_at(solution->model, beam);
+    const int steps = (int)ceil(fabs(at - from) * beam->spec.elements * TWIST_STEPS);
+    double angle = 0, turns = 0;
+    for (int k = 0; k <= steps; k++) {
+        struct around p;
+        double axis[3][3];
+        const double before = angle;
+        around_look(solution->model, solution->u,
+                    model_place(beam, k < steps ? from + (at - from) * k / steps : at), &p);
+        const enum hobe_status status = around_modes(&p, 0, 0, err);
+        if (status)
+            return status;
+        around_gradient(&p, axis);
+        angle = turned(&p, (const double(*)[3])axis);
+        const double jump = k > 0 ? (before - angle) / (2 * M_PI) : 0;
+        turns = fabs(jump) > 0.25 && fabs(jump) < 0.75 ? 0 : turns + round(jump);
+    }
+    *twist = angle + 2 * M_PI * turns;
     return HOBE_OK;
 }

@@ -119,6 +119,15 @@ static void held_torsion(void)
 /* ---- rotations
  * ----------------------------------------------------------------------------------- */
 
+static double twist_of(const hobe_solution *solution, double at)
+{
+    struct hobe_error err;
+    double angle;
+    if (hobe_solution_twist(solution, "beam", at, &angle, &err))
+        check_stop("%s", err.message);
+    return angle;
+}
+
 /* Bent by an end moment to 2/3 pi and to 5/4 pi about y, z or an axis between: the rotation vector
  * along the arc, past half a turn too, where it flips to the shorter way. */
 static void rotation_vectors(double turn)
@@ -144,6 +153,40 @@ static void rotation_vectors(double turn)
                            turn);
             check_absolute(p.twist, fabs(angle) < M_PI / 2 ? 0 : M_PI, 1e-9 + (p.twist < 0 ? 7 : 0),
                            "no twist");
+            check_absolute(fabs(twist_of(solution, k / 8.0)), fabs(p.twist), 1e-9,
+                           "bending makes no turns");
+        }
+        hobe_solution_free(solution);
+        hobe_model_free(model);
+    }
+    hobe_section_free(section);
+}
+
+/* Three turns and a half under an end moment, either way and held at either end: twist counts the
+ * turns, as it grows evenly from the clamp.  Four times the tension T^2/(4 E I) that a long
+ * beam needs keeps it from buckling sideways. */
+static void whole_turns(void)
+{
+    hobe_section *section = rectangle(0.002, 0.003);
+    const double turn = 7 * M_PI, GJ = E / (2 * (1 + NU)) * properties_of(section).J;
+    const double tension = pow(turn * GJ / 2, 2) / (E * properties_of(section).Izz);
+    for (int i = 0; i < 4; i++) {
+        const double end = i / 2, sign = i % 2 ? 1 : -1;
+        const struct hobe_beam beam = beam_along_x("MGD30w", 80, section, E, NU, 2);
+        hobe_model *model = new_model();
+        add_beam(model, &beam);
+        add_clamp(model, "beam", end, 1);
+        add_moment(model, "beam", 1 - end, sign * turn * GJ / 2, 0, 0);
+        add_force(model, "beam", 1 - end, (1 - 2 * end) * tension, 0, 0);
+        hobe_solution *solution = solve(model, 8);
+        for (int k = 0; k <= 20; k++) {
+            const double at = k / 20.0, angle = sign * turn * fabs(at - end);
+            const struct hobe_point p = point_of(solution, "beam", at, 0, 0);
+            /* Wagner's stiffening is of order (k h)^2 = 1e-3; 40 elements miss 2e-3 */
+            check_absolute(twist_of(solution, at), angle, 1e-3 * turn, "twist at %g of %g", at,
+                           sign * turn);
+            check_absolute(remainder(twist_of(solution, at) - p.twist, 2 * M_PI), 0, 1e-12,
+                           "the same but for whole turns at %g", at);
         }
         hobe_solution_free(solution);
         hobe_model_free(model);
@@ -301,6 +344,7 @@ int main(void)
     held_torsion();
     rotation_vectors(2 * M_PI / 3);
     rotation_vectors(5 * M_PI / 4);
+    whole_turns();
     large_twist();
     numbers_of_a_model();
     steps_are_cut();
