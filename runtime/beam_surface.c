@@ -2,6 +2,7 @@
 /* Skins of beams. */
 #include "surface.h"
 
+#include "around.h"
 #include "solution.h"
 #include "stress.h"
 #include "vector3.h"
@@ -243,11 +244,12 @@ static enum hobe_status add_point(struct station *at, int i, struct hobe_surface
     return HOBE_OK;
 }
 
-/* The section at an end of the beam, facing out. */
-static enum hobe_status add_end(struct station *at, struct hobe_surface *s, struct hobe_error *err)
+/* The section, facing the beam's end, or its begin where `turned`. */
+static enum hobe_status add_face(struct station *at, int turned, struct hobe_surface *s,
+                                 struct hobe_error *err)
 {
     const struct hobe_surface *face = &at->face;
-    const int first = s->points, turned = at->at == 0;
+    const int first = s->points;
     enum hobe_status status = HOBE_OK;
     for (int i = 0; !status && i < face->points; i++)
         status = add_point(at, i, s, err);
@@ -298,7 +300,7 @@ static enum hobe_status add_skin(struct station *at, const struct profile *p,
     const int steps = steps_of(at->beam);
     enum hobe_status status = make_room(&at->face, p, steps, s, err);
     if (!status)
-        status = add_end(at, s, err);
+        status = add_face(at, 1, s, err);
     for (int k = 0; !status && k <= steps; k++) {
         const int first = s->points;
         status = move_station(at, (double)k / steps, err);
@@ -307,7 +309,49 @@ static enum hobe_status add_skin(struct station *at, const struct profile *p,
         if (!status && k > 0)
             add_wall(p, first - p->points, s);
     }
-    return status ? status : add_end(at, s, err);
+    return status ? status : add_face(at, 0, s, err);
+}
+
+/* Puts the surface of a section into the section's plane and its displacements onto the section's
+ * axes now, less those of the axis. */
+static void straighten(const struct station *at, const struct hobe_point *axis,
+                       struct hobe_surface *s)
+{
+    double t[3][3];
+    around_axes((const double(*)[3])axis->F, t);
+    for (int i = 0; i < s->points; i++) {
+        double r[3];
+        for (int a = 0; a < 3; a++)
+            r[a] = s->point[i][a] + s->displacement[i][a] - axis->r[a];
+        memcpy(s->point[i], at->face.point[i], sizeof *s->point);
+        for (int a = 0; a < 3; a++)
+            s->displacement[i][a] = dot3(t[a], r) - s->point[i][a];
+    }
+}
+
+enum hobe_status hobe_solution_slice(const hobe_solution *solution, const char *beam, double at,
+                                     const struct hobe_field *field, struct hobe_surface *surface,
+                                     struct hobe_error *err)
+{
+    const struct motion motion = {.model = solution->model, .solution = solution, .field = field};
+    struct station s = {.motion = &motion};
+    struct hobe_point axis;
+    *surface = (struct hobe_surface){0};
+    enum hobe_status status = hobe_solution_point(solution, beam, at, 0, 0, &axis, err);
+    if (status)
+        return status;
+    s.beam = model_find_beam(solution->model, beam, NULL, err);
+    status = move_station(&s, at, err);
+    if (!status)
+        status = hobe_surface_grow(surface, s.face.points, s.face.triangles, s.face.edges, err);
+    if (!status)
+        status = add_face(&s, 0, surface, err);
+    if (!status)
+        straighten(&s, &axis, surface);
+    else
+        hobe_surface_free(surface);
+    hobe_surface_free(&s.face);
+    return status;
 }
 
 static enum hobe_status add_beam(const struct motion *motion, const struct beam *beam,

@@ -36,23 +36,41 @@ static const struct hobe_lua_schema section_schema = {"section", section_keys};
 static const struct hobe_lua_schema state_schema = {"state", state_keys};
 static const struct hobe_lua_schema mode_schema = {"mode", mode_keys};
 
+struct slice {
+    const char *beam; /* NULL: none */
+    double at;
+};
+
+static const struct hobe_lua_key slice_keys[] = {
+    KEY(struct slice, beam, KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam"),
+    KEY(struct slice, at, KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1), .position = 2,
+        .doc = "place, a fraction of its length"),
+    {0}};
+
+static const struct hobe_lua_schema slice_schema = {"slice", slice_keys};
+
 struct view {
     double azimuth, elevation;
 };
 
 static const struct hobe_lua_key view_keys[] = {
     KEY(struct view, azimuth, KEY_NUMBER, KEY_WITHIN(-360, 360), .fallback = NAN, .unit = "deg",
-        .doc = "where the viewer stands, from axis x towards y; -40 for beams, 180 for sections, "
-               "215 for reliefs"),
+        .doc =
+            "where the viewer stands, from axis x towards y; -40 for beams, 180 for sections and "
+            "slices, 215 for reliefs"),
     KEY(struct view, elevation, KEY_NUMBER, KEY_WITHIN(-90, 90), .fallback = NAN, .unit = "deg",
-        .doc = "and how high; 25, 0, 25"),
+        .doc = "and how high; 25, 0 for sections and slices"),
     {0}};
 
 static const struct hobe_lua_schema view_schema = {"view", view_keys};
 
+static const char *const functions[] = {"w", "wy", "wz"}; /* in the order of the choices */
+static const char *const units[] = {"m²", "m³", "m³"};
+
 struct options {
     const char *file, *title, *colour;
     struct item state, mode;
+    struct slice slice;
     struct view view;
     double scale;
     int function, columns, width, relief, reference;
@@ -69,6 +87,9 @@ static const struct hobe_lua_key picture_keys[] = {
     ONE("states", state_schema, "deformed state, in one range of colours"),
     KEY(struct options, mode, KEY_GROUP, .group = &mode_schema, .doc = "one mode shape"),
     ONE("modes", mode_schema, "mode shape"),
+    KEY(struct options, slice, KEY_GROUP, .group = &slice_schema,
+        .doc = "of states: draw the section at this place alone, on its axes now, with its shape "
+               "before the load in grey"),
     KEY_AS("field", struct options, function, KEY_CHOICE, .choices = "w|wy|wz", .word = "w",
            .doc = "of sections: the function they are coloured by"),
     KEY(struct options, colour, KEY_TEXT, .word = "u",
@@ -140,15 +161,21 @@ static const struct hobe_field *find_field(lua_State *L, const struct options *o
 }
 
 /* Whether a script is right must not depend on --out: what can be wrong is found before. */
-static void check_item(lua_State *L, const char *function, const struct hobe_field *field,
+static void check_item(lua_State *L, const struct options *options, const struct hobe_field *field,
                        const struct item *item)
 {
+    const char *function = functions[options->function], *sliced = options->slice.beam;
     struct hobe_error err;
     struct hobe_modes_info info;
+    struct hobe_point point;
     double f[4];
     if (item->section && hobe_section_function(item->section, function, 0, 0, f, &err))
         hobe_lua_raise(L, &err);
     if (item->state && hobe_check_field(item->state, field, &err))
+        hobe_lua_raise(L, &err);
+    if (sliced && !item->state)
+        hobe_lua_fail(L, "picture: slice needs a state or states to cut");
+    if (sliced && hobe_solution_point(item->state, sliced, options->slice.at, 0, 0, &point, &err))
         hobe_lua_raise(L, &err);
     if (!item->modes)
         return;
@@ -159,11 +186,9 @@ static void check_item(lua_State *L, const char *function, const struct hobe_fie
 
 /* ---- drawing -------------------------------------------------------------------------------- */
 
-enum { FINENESS = 20 };                                   /* of closed-form sections */
-static const double DEPTH = 0.3;                          /* of the stub of a relief */
-static const double AMPLITUDE = 0.1;                      /* of modes and reliefs */
-static const char *const functions[] = {"w", "wy", "wz"}; /* in the order of the choices */
-static const char *const units[] = {"m²", "m³", "m³"};
+enum { FINENESS = 20 };              /* of closed-form sections */
+static const double DEPTH = 0.3;     /* of the stub of a relief */
+static const double AMPLITUDE = 0.1; /* of modes and reliefs */
 
 /* Everything a picture points to. */
 struct work {
@@ -201,6 +226,9 @@ static enum hobe_status make_panel(const struct options *options, const struct h
     *panel = (struct hobe_panel){.label = item->label, .surface = surface, .scale = options->scale};
     if (item->section)
         status = make_section(options, item, work, i, err);
+    else if (options->slice.beam)
+        status = hobe_solution_slice(item->state, options->slice.beam, options->slice.at, field,
+                                     surface, err);
     else if (item->state)
         status = hobe_solution_surface(item->state, field, surface, err);
     else
@@ -218,8 +246,8 @@ static void set_picture(const struct options *options, const struct hobe_field *
                         const struct item *item, int count, struct hobe_picture *picture)
 {
     const int section = item->section != NULL, relief = section && options->relief;
-    const double azimuth = relief ? 215 : section ? 180 : -40;
-    const double elevation = relief ? 25 : section ? 0 : 25;
+    const int flat = (section && !relief) || options->slice.beam;
+    const double azimuth = flat ? 180 : relief ? 215 : -40, elevation = flat ? 0 : 25;
     *picture = (struct hobe_picture){
         .title = options->title,
         .field = section ? functions[options->function] : field->symbol,
@@ -232,7 +260,7 @@ static void set_picture(const struct options *options, const struct hobe_field *
         .columns = options->columns,
         .isolines = section,
         .same_scale = !section,
-        .axes = section ? "xyz" : "XYZ",
+        .axes = section || options->slice.beam ? "xyz" : "XYZ",
         .azimuth = isnan(options->view.azimuth) ? azimuth : options->view.azimuth,
         .elevation = isnan(options->view.elevation) ? elevation : options->view.elevation,
         .panels = count,
@@ -275,7 +303,7 @@ static int make_picture(lua_State *L)
     const struct item *items = push_items(L, &options, &count);
     const struct hobe_field *field = items->section ? NULL : find_field(L, &options, items);
     for (int i = 0; i < count; i++)
-        check_item(L, functions[options.function], field, items + i);
+        check_item(L, &options, field, items + i);
     if (!hobe_lua_context(L)->folder)
         return 0;
     struct hobe_text *png = hobe_lua_stage(L, options.file);

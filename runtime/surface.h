@@ -78,7 +78,14 @@ enum hobe_status hobe_solution_surface(const hobe_solution *solution,
                                        const struct hobe_field *field, struct hobe_surface *surface,
                                        struct hobe_error *err);
 
-/* The same for mode i and a linear field, displacements in 1/sqrt(kg). */
+/* The section of a beam at `at`, numbered like hobe_section_surface: points in its plane, and
+ * displacements on its axes now (as hobe_stress.section), less those of the axis: how it warps and
+ * changes its shape. */
+enum hobe_status hobe_solution_slice(const hobe_solution *solution, const char *beam, double at,
+                                     const struct hobe_field *field, struct hobe_surface *surface,
+                                     struct hobe_error *err);
+
+/* The skin of mode i and a linear field, displacements in 1/sqrt(kg). */
 enum hobe_status hobe_modes_surface(const hobe_modes *modes, int i, const struct hobe_field *field,
                                     struct hobe_surface *surface, struct hobe_error *err);
 
