@@ -94,7 +94,7 @@ local function compare(title, make, E, moments, ways, known)
     local row = { how[1] }
     for i, M in ipairs(moments) do
       local ok, angle = pcall(turn, make(how.w), E, M, how)
-      row[1 + i] = ok and angle or "refused"
+      row[1 + i] = ok and angle or angle:find("no equilibrium") and "none found" or "refused"
     end
     rows[#rows + 1] = row
   end

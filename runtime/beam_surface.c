@@ -11,7 +11,8 @@
 #include <string.h>
 
 enum {
-    FINENESS = 6,    /* of closed-form sections */
+    FINENESS = 6,    /* of closed-form sections at the ends of beams, */
+    FINE = 20,       /* and of a slice */
     PER_SIZE = 64,   /* points of the swept outline for the diagonal of the section */
     STEPS = 240,     /* from end to end, shared by the elements of a beam, */
     MOST_STEPS = 48, /* at most and at least so many in one */
@@ -173,6 +174,7 @@ struct motion {
 struct station {
     const struct motion *motion;
     const struct beam *beam;
+    int fineness;
     double at;
     struct hobe_surface face;
     struct stress_section stress; /* where the field is a stress */
@@ -193,7 +195,7 @@ static enum hobe_status move_station(struct station *s, double at, struct hobe_e
         return status;
     hobe_surface_free(&s->face);
     s->face = (struct hobe_surface){0};
-    return hobe_section_surface_at(section, at, FINENESS, &s->face, err);
+    return hobe_section_surface_at(section, at, s->fineness, &s->face, err);
 }
 
 /* The field at (y, z), where the beam has the point. */
@@ -334,7 +336,7 @@ enum hobe_status hobe_solution_slice(const hobe_solution *solution, const char *
                                      struct hobe_error *err)
 {
     const struct motion motion = {.model = solution->model, .solution = solution, .field = field};
-    struct station s = {.motion = &motion};
+    struct station s = {.motion = &motion, .fineness = FINE};
     struct hobe_point axis;
     *surface = (struct hobe_surface){0};
     enum hobe_status status = hobe_solution_point(solution, beam, at, 0, 0, &axis, err);
@@ -357,7 +359,7 @@ enum hobe_status hobe_solution_slice(const hobe_solution *solution, const char *
 static enum hobe_status add_beam(const struct motion *motion, const struct beam *beam,
                                  struct hobe_surface *s, struct hobe_error *err)
 {
-    struct station at = {.motion = motion, .beam = beam};
+    struct station at = {.motion = motion, .beam = beam, .fineness = FINENESS};
     struct hobe_section_properties properties;
     struct profile profile;
     enum hobe_status status = move_station(&at, 0, err);

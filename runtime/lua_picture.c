@@ -72,7 +72,7 @@ struct options {
     struct item state, mode;
     struct slice slice;
     struct view view;
-    double scale;
+    double scale, limit;
     int function, columns, width, relief, reference;
 };
 
@@ -101,6 +101,10 @@ static const struct hobe_lua_key picture_keys[] = {
     KEY(struct options, scale, KEY_NUMBER, .fallback = 1,
         .doc = "magnifies displacements; those of modes and reliefs from a tenth of the size of "
                "what is drawn"),
+    KEY(struct options, limit, KEY_NUMBER, KEY_ABOVE(0), .fallback = 0,
+        .doc = "of states: size of the value at which the colours end, in the unit of what they "
+               "show, where a few points would take them all, as the stress at re-entrant corners; "
+               "what is larger has the last colour"),
     KEY(struct options, reference, KEY_FLAG, .fallback = 1,
         .doc = "of beams: draw the edges of the reference in grey, too"),
     KEY(struct options, view, KEY_GROUP, .group = &view_schema, .doc = "where it is seen from"),
@@ -256,6 +260,7 @@ static void set_picture(const struct options *options, const struct hobe_field *
         .range = item->modes            ? HOBE_RANGE_RELATIVE
                  : section && count > 1 ? HOBE_RANGE_AMOUNTS
                                         : HOBE_RANGE_SHARED,
+        .limit = options->limit,
         .width = options->width,
         .columns = options->columns,
         .isolines = section,

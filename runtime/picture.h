@@ -32,6 +32,7 @@ struct hobe_picture {
     const char *field, *unit;  /* what is coloured: "w", "m²" */
     enum hobe_colours colours; /* SIGNED: from -max to max; RISING: from the smallest on */
     enum hobe_picture_range range;
+    double limit; /* > 0: of a shared range; colours go no further, what is larger has the last */
     int width;                 /* pixels, at most; less where the panels do not need it */
     int columns;               /* 0: as many as look well */
     int isolines;              /* draw lines of equal value */

@@ -81,6 +81,10 @@ static void set_ranges(struct layout *at)
         low = fmin(low, s->low);
         high = fmax(high, s->high);
     }
+    if (picture->limit > 0) {
+        low = fmax(low, -picture->limit);
+        high = fmin(high, picture->limit);
+    }
     for (int i = 0; i < picture->panels; i++) {
         if (picture->range == HOBE_RANGE_SHARED) {
             at->shown[i].low = low;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures of a relief, a state and a mode, and a file of a solid, in which the n-th allocation
- * fails, for n = 1, 2, ... until one gets through: each time it ends with "out of memory", and
- * leaks nothing (the sanitizer looks). */
+/* Pictures of a relief, a state, a mode and a slice, and a file of a solid, in which the n-th
+ * allocation fails, for n = 1, 2, ... until one gets through: each time it ends with "out of
+ * memory", and leaks nothing (the sanitizer looks). */
 #include "check.h"
 #include "output_vtk.h"
 #include "picture.h"
@@ -9,7 +9,7 @@
 
 #include <stdio.h>
 
-enum { KINDS = 4 };
+enum { KINDS = 5 };
 
 struct scene {
     hobe_section *section;
@@ -21,11 +21,12 @@ static enum hobe_status draw(const struct scene *scene, int kind, struct hobe_te
                              struct hobe_error *err)
 {
     struct hobe_surface surface;
-    const struct hobe_field *field = hobe_find_field(kind == 1 ? "mises" : "u", kind != 1, err);
+    const struct hobe_field *field = hobe_find_field(kind % 2 ? "mises" : "u", kind % 2 == 0, err);
     enum hobe_status status =
         kind == 0   ? hobe_section_field(scene->section, "w", 4, 0.01, &surface, err)
         : kind == 1 ? hobe_solution_surface(scene->solution, field, &surface, err)
-                    : hobe_modes_surface(scene->modes, 0, field, &surface, err);
+        : kind == 2 ? hobe_modes_surface(scene->modes, 0, field, &surface, err)
+                    : hobe_solution_slice(scene->solution, "beam", 1, field, &surface, err);
     const struct hobe_panel panel = {.surface = &surface, .scale = 1, .reference = 1, .label = "a"};
     const struct hobe_picture picture = {
         .title = "t", .field = "u", .width = 300, .axes = "xyz", .panels = 1, .panel = &panel};
@@ -56,7 +57,7 @@ static void fail_each(const struct scene *scene, int kind)
         struct hobe_text png = {0};
         hobe_fail_allocation(++n);
         const enum hobe_status status =
-            kind == 3 ? write_solid(scene, &png, &err) : draw(scene, kind, &png, &err);
+            kind == KINDS - 1 ? write_solid(scene, &png, &err) : draw(scene, kind, &png, &err);
         seen = hobe_fail_allocation(0);
         if (seen >= n)
             check_that(status == HOBE_NO_MEMORY && err.status == HOBE_NO_MEMORY,

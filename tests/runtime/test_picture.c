@@ -293,6 +293,37 @@ static void check_beam_surfaces(void)
                err.message);
 }
 
+/* A slice of a beam that is twisted by two right angles and stretched, with nu = 0: in its own
+ * plane the section is as before, and out of it it warps by -kappa w. */
+static void check_slice(void)
+{
+    struct hobe_error err;
+    struct hobe_surface slice;
+    const double L = 4, turn = M_PI;
+    hobe_section *section = rectangle(0.02, 0.03);
+    const struct hobe_beam beam = beam_along_x("MGD30w", 20, section, 1e9, 0, L);
+    hobe_model *model = cantilever(&beam, 1);
+    add_moment(model, "beam", 1, turn / L * 0.5e9 * properties_of(section).J, 0, 0);
+    add_force(model, "beam", 1, 1e9 * properties_of(section).A * 1e-3, 0, 0);
+    hobe_solution *solution = solve(model, 4);
+    if (hobe_solution_slice(solution, "beam", 0.3, hobe_find_field("twist", 0, &err), &slice, &err))
+        check_stop("%s", err.message);
+    for (int i = 0; i < slice.points; i++) {
+        const double *p = slice.point[i], *d = slice.displacement[i];
+        double w[4];
+        if (hobe_section_function(section, "w", p[1], p[2], w, &err))
+            check_stop("%s", err.message);
+        /* second order: (kappa h)^2 = 6e-4, and the stretch, 1e-3, times w and h */
+        check_absolute(d[0], -turn / L * w[0], 2e-3 * turn / L * 0.02 * 0.03, "it warps");
+        check_absolute(hypot(d[1], d[2]), 0, 2e-3 * 0.03, "it keeps its shape");
+        check_absolute(slice.value[i], 0.3 * turn, 2e-3 * turn, "and has the twist");
+    }
+    hobe_surface_free(&slice);
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
 /* ---- pictures ------------------------------------------------------------------------------- */
 
 struct stream {
@@ -388,6 +419,7 @@ int main(void)
     check_section_surfaces();
     check_composite();
     check_beam_surfaces();
+    check_slice();
     check_pictures();
     return check_report();
 }
