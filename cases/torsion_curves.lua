@@ -6,11 +6,11 @@
 -- of the torque, or close to one: Wagner's stress presses the core together, and a law that is
 -- linear between Green's strain and the second Piola-Kirchhoff stress gets softer in compression.
 -- The I passes the paper's 16 rad; the square comes to 1700 of its 2160 deg, the box to 790 of its
--- 1260.  Where Poisson's coupling acts on the axis alone, as in the paper, or at each point, the limit is
--- higher: in the paper's settings the square passes 2160 deg, and so it does with `full`.  The box
--- in the paper's settings comes to 660 deg with 20 elements and to 940 with 8, and no way was found
--- to its 1260.  No linear law means much there: det F, the change of volume, falls to 0.6.  The box
--- is long past its limit torque, too, 0.200 kNm in solids.
+-- 1260.  Where Poisson's coupling acts on the axis alone, as in the paper, or at each point, the
+-- limit is higher: in the paper's settings the square passes 2160 deg, and so it does with `full`.
+-- The box in the paper's settings comes to 660 deg with 20 elements and to 940 with 8, and no way
+-- was found to its 1260.  No linear law means much there: det F, the change of volume, falls to
+-- 0.6.  The box is long past its limit torque, too, 0.200 kNm in solids.
 --
 -- Long before, a bar under an end torque leaves its straight axis.  A moment that acts half on each
 -- of the slopes y and z is semi-tangential: Ziegler's critical torque is pi E I/L (I = sqrt(Iy Iz)
@@ -37,8 +37,9 @@ end
 local function scene(section, E, M, how)
   return hobe.scene{
     hobe.beam{ name = "bar", element = how.element, elements = how.elements or n,
-               section = section, material = { E = E, nu = nu, rho = 7850 }, from = {0, 0, 0}, to = {L, 0, 0},
-               mechanics = how.mechanics, integration = how.integration },
+               section = section, material = { E = E, nu = nu, rho = 7850 },
+               from = {0, 0, 0}, to = {L, 0, 0}, mechanics = how.mechanics,
+               integration = how.integration },
     hobe.clamp{ "bar", at = 0 },
     hobe.moment{ "bar", at = 1, value = {1e3*M, 0, 0} },
   }
@@ -86,28 +87,33 @@ local function draw(name, path, twist)
   end
 end
 
+-- Every fourth point of a path for ParaView: 1 MB each of the square, a hundred of an outline.
+local function write(name, path, torque)
+  local series = {}
+  for i = 4, #path, 4 do series[#series + 1] = { path[i], torque[i + 1] } end
+  hobe.vtk{ file = name .. ".pvd", states = series }
+end
+
 for _, beam in ipairs(beams) do
   local name, make, E = beam[1], beam[2], beam[3]
   local GJ = E/(2*(1 + nu))*make().J
-  local top = beam[4][2]
-  local linear = { 0, math.deg(1e3*top*L/GJ) }
-  local torques = { { label = "linear", colour = 0, x = linear, y = { 0, top } } }
-  local shorts = {}
+  local torques, shorts, furthest = {}, {}, 0
   for k = 4, #beam do
     local how = beam[k]
     local path = hobe.path(scene(make(how.w), E, how[2], how))
     local torque, twist, short = follow(path, how[2])
     local last = #path + 1
-    torques[k - 2] = { label = how[1], colour = k - 3, x = twist, y = torque }
+    torques[k - 3] = { label = how[1], x = twist, y = torque }
     shorts[k - 3] = { label = how[1], x = twist, y = short }
     rows[#rows + 1] = { name, how[1], torque[last], twist[last], math.rad(twist[last]), short[last],
                         path[#path].smallest_volume }
     report[name .. (k > 4 and "_" .. k - 3 or "")] = { twist[last], "deg" }
-    if k == 4 then
-      draw(name, path, twist)
-      hobe.vtk{ file = name .. ".pvd", states = { { path[#path], torque[last] } } }
-    end
+    furthest = math.max(furthest, twist[last])
+    if k == 4 then draw(name, path, twist) end
+    if k == 4 and name == "square" then write(name, path, torque) end
   end
+  torques[#torques + 1] = { label = "linear", colour = 0, x = { 0, furthest },
+                            y = { 0, 1e-3*GJ*math.rad(furthest)/L } }
   hobe.plot{ file = name .. "_torque.png", title = name .. ": torque at the end",
              xlabel = "twist, deg", ylabel = "Mx, kNm", series = torques }
   hobe.plot{ file = name .. "_shortening.png", title = name .. ": shortening",

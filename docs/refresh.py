@@ -20,6 +20,7 @@ PICTURES = {  # case: the picture it draws, its name here
     "princeton_angles": ("twist.png", "princeton_twist.png"),
     "gallery": ("gallery.png", "sections.png"),
     "modes": ("modes.png", "modes.png"),
+    "torsion_curves": ("fig11.png", "torsion.png"),
 }
 
 
