@@ -17,7 +17,7 @@
 -- For the box, at 0.8 kNm, that gives 55.5 deg without the clamp's hold on warping.  The paper's
 -- 46 deg are those of its closed form of w, which is 16 % too stiff; ANSYS SOLID95 gave it 60.
 -- Converged solids never get there: at 0.200 kNm, 0.31 rad, their walls pinch in and the torque
--- falls.  A beam whose outline keeps its shape does not see that.
+-- falls.  A beam whose outline keeps its shape does not see that; hobe estimates it, and warns.
 --
 -- The moment acts on the slopes y and z of the end section alone.  Where modes let that section
 -- give way, as those of MGD30w-II and MGD30d do, it shears in its plane and turns further.
