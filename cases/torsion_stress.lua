@@ -127,12 +127,16 @@ local function at_540(section, E, M, how)
   error("no torque was found that twists by 540 deg")
 end
 
--- How far the end leaves its plane, mm, along its upper side, b long and h/2 above the axis.
+-- How far the end leaves its plane, mm, along its upper side, b long, h/2 above the axis: what is
+-- odd in y and in z, as w is, of the distances along its normal.
 local function warping(r, b, h)
-  local ex, centre, most = r:resultants("bar", 1).ex, r:position("bar", 1), 0
-  for i = -20, 20 do
-    local p, out = r:position("bar", 1, b*i/40, h/2), 0
-    for k = 1, 3 do out = out + ex[k]*(p[k] - centre[k]) end
+  local ex, most = r:resultants("bar", 1).ex, 0
+  for i = 0, 20 do
+    local out = 0
+    for _, side in ipairs{ { 1, 1 }, { 1, -1 }, { -1, 1 }, { -1, -1 } } do
+      local p = r:position("bar", 1, side[1]*b*i/40, side[2]*h/2)
+      for k = 1, 3 do out = out + side[1]*side[2]*ex[k]*p[k]/4 end
+    end
     most = math.max(most, 1e3*math.abs(out))
   end
   return most
