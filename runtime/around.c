@@ -51,6 +51,12 @@ enum hobe_status around_modes(struct around *p, double y, double z, struct hobe_
     return status;
 }
 
+void around_axis(struct around *p)
+{
+    static const double none[HOBE_MAX_FUNCTIONS][4];
+    p->kernel->section_modes(0, 0, none, p->phi);
+}
+
 void around_field(const struct around *p, const double *q, double value[3], double F[3][3])
 {
     for (int a = 0; a < 3; a++)

@@ -29,6 +29,10 @@ struct hobe_section_place around_section_place(struct place place);
 /* Sets phi to the section modes at (y, z). */
 enum hobe_status around_modes(struct around *p, double y, double z, struct hobe_error *err);
 
+/* Sets phi to the section modes on the axis, functions of the section left out: what they do there
+ * is no part of its mean plane, and in a hollow section nothing real. */
+void around_axis(struct around *p);
+
 /* Value and gradient by x, y, z of the field sum_v N_v phi_v q_v, q[vectors][3]. */
 void around_field(const struct around *p, const double *q, double value[3], double F[3][3]);
 

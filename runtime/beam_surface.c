@@ -316,15 +316,19 @@ static enum hobe_status add_skin(struct station *at, const struct profile *p,
 
 /* Puts the surface of a section into the section's plane and its displacements onto the section's
  * axes now, less those of the axis. */
-static void straighten(const struct station *at, const struct hobe_point *axis,
-                       struct hobe_surface *s)
+static void straighten(const struct station *at, const double centre[3], struct hobe_surface *s)
 {
-    double t[3][3];
-    around_axes((const double(*)[3])axis->F, t);
+    const hobe_solution *solution = at->motion->solution;
+    struct around p;
+    double F[3][3], t[3][3];
+    around_look(solution->model, solution->u, model_place(at->beam, at->at), &p);
+    around_axis(&p);
+    around_gradient(&p, F);
+    around_axes((const double(*)[3])F, t);
     for (int i = 0; i < s->points; i++) {
         double r[3];
         for (int a = 0; a < 3; a++)
-            r[a] = s->point[i][a] + s->displacement[i][a] - axis->r[a];
+            r[a] = s->point[i][a] + s->displacement[i][a] - centre[a];
         memcpy(s->point[i], at->face.point[i], sizeof *s->point);
         for (int a = 0; a < 3; a++)
             s->displacement[i][a] = dot3(t[a], r) - s->point[i][a];
@@ -349,7 +353,7 @@ enum hobe_status hobe_solution_slice(const hobe_solution *solution, const char *
     if (!status)
         status = add_face(&s, 0, surface, err);
     if (!status)
-        straighten(&s, &axis, surface);
+        straighten(&s, axis.r, surface);
     else
         hobe_surface_free(surface);
     hobe_surface_free(&s.face);

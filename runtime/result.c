@@ -152,11 +152,9 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
     if (!beam)
         return err ? err->status : HOBE_BAD_INPUT;
     around_look(solution->model, solution->u, place, &p);
-    enum hobe_status status = around_modes(&p, 0, 0, err);
-    if (status)
-        return status;
+    around_axis(&p);
     around_gradient(&p, axis);
-    status = around_modes(&p, y, z, err);
+    const enum hobe_status status = around_modes(&p, y, z, err);
     if (status)
         return status;
     around_gradient(&p, point->F);
@@ -197,9 +195,7 @@ enum hobe_status hobe_solution_twist(const hobe_solution *solution, const char *
         const double before = angle;
         around_look(solution->model, solution->u,
                     model_place(beam, k < steps ? from + (at - from) * k / steps : at), &p);
-        const enum hobe_status status = around_modes(&p, 0, 0, err);
-        if (status)
-            return status;
+        around_axis(&p);
         around_gradient(&p, axis);
         angle = turned(&p, (const double(*)[3])axis);
         const double jump = k > 0 ? (before - angle) / (2 * M_PI) : 0;

@@ -149,10 +149,9 @@ static enum hobe_status from_stress(const hobe_solution *solution, const char *n
     struct hobe_rule rule;
     double centre[3];
     enum hobe_status status = stress_section(solution, name, at, &section, err);
-    if (!status)
-        status = around_modes(&section.around, 0, 0, err);
     if (status)
         return status;
+    around_axis(&section.around);
     const struct hobe_beam *spec = &section.around.place.beam->spec;
     const struct hobe_section_place place = around_section_place(section.around.place);
     position(&section.around, centre);
@@ -184,9 +183,7 @@ enum hobe_status hobe_solution_resultants(const hobe_solution *solution, const c
                          beam->spec.elements, name, at);
     *r = (struct hobe_resultants){.cut = cut ? cut : at_end ? HOBE_CUT_FORCES : HOBE_CUT_STRESS};
     around_look(solution->model, solution->u, place, &p);
-    const enum hobe_status status = around_modes(&p, 0, 0, err);
-    if (status)
-        return status;
+    around_axis(&p);
     around_gradient(&p, F);
     around_axes((const double(*)[3])F, r->axes);
     return r->cut == HOBE_CUT_FORCES ? from_forces(solution, &p, r, err)

@@ -146,9 +146,7 @@ enum hobe_status stress_section(const hobe_solution *solution, const char *name,
                          name, beam->kernel->name);
     *s = (struct stress_section){.law = hobe_element_law(element)};
     around_look(solution->model, solution->u, place, &s->around);
-    enum hobe_status status = around_modes(&s->around, 0, 0, err);
-    if (status)
-        return status;
+    around_axis(&s->around);
     around_gradient(&s->around, F);
     around_axes((const double(*)[3])F, s->axes);
     return has_mean(s->law) ? set_mean(s, mechanics == HOBE_MECHANICS_AXIS, err) : HOBE_OK;
