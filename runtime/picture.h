@@ -32,11 +32,11 @@ struct hobe_picture {
     const char *field, *unit;  /* what is coloured: "w", "m²" */
     enum hobe_colours colours; /* SIGNED: from -max to max; RISING: from the smallest on */
     enum hobe_picture_range range;
-    double limit; /* > 0: of a shared range; colours go no further, what is larger has the last */
-    int width;                 /* pixels, at most; less where the panels do not need it */
-    int columns;               /* 0: as many as look well */
-    int isolines;              /* draw lines of equal value */
-    int same_scale;            /* a metre is as long in every panel */
+    double limit;   /* > 0: of a shared range; colours go no further, what is larger has the last */
+    int width;      /* pixels, at most; less where the panels do not need it */
+    int columns;    /* 0: as many as look well */
+    int isolines;   /* draw lines of equal value */
+    int same_scale; /* a metre is as long in every panel */
     const char *axes;          /* names of the three axes, "xyz" */
     double azimuth, elevation; /* of the viewer, degrees: from axis x towards y, and above the plane
                                   of both */
