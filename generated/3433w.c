@@ -7,10 +7,14 @@
  * vectors (mode@node, ' for d/dx): 1@1 y@1 z@1 w@1 1@2 y@2 z@2 w@2 1@3 y@3 z@3 w@3 1@4 y@4 z@4
  *     w@4
  * operations per element: force 13660, force and tangent 120508, energy 10538
+ * as one tensor, section symmetric in neither: force 19593, force and tangent 161442
+ * as one tensor, section symmetric in y: force 11465, force and tangent 85730
+ * as one tensor, section symmetric in z: force 11465, force and tangent 85730
+ * as one tensor, section symmetric in both: force 7401, force and tangent 47874
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 4
+#if HOBE_KERNEL_ABI != 5
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -413,6 +417,271 @@ static void warping_strain(const double *N, const double *Nx, const double (*phi
         for (int i = 0; i < S; i++)
             g[b][i] *= b > 0 && warps[i]; /* no gradient along x, no other modes */
     green_lagrange((const double(*)[S])g, (const double(*)[3])D0, (const double(*)[3])U, E);
+}
+
+/* ---- eqs. 27 and 28 as products with constant matrices (generator/tensor.py) ---- */
+
+enum {
+    COLUMNS = 15, /* sums and differences of nodal vectors */
+    PAIRS = 120,  /* of those */
+    BLOCKS = 136, /* of the tangent, pairs of nodal vectors: a row each */
+    IMAGES = 64,  /* pairs of rows that are mirror images */
+    ALONE = 8,    /* rows that are their own */
+    CLASSES = 8,  /* of parities: 1 odd in x, 2 odd in y, 4 odd in z */
+    LAST = 12,    /* the last position */
+    OPPOSED = 0,  /* whether it is one of two: rows with the first are less those with it */
+};
+
+/* of each section vector: 1 odd in y, 2 odd in z */
+static const unsigned char parity[] = {
+    0, 1, 2, 3, 1, 2, 3,
+};
+/* of each nodal vector: its image about mid-length, in rows */
+static const short mirror_of[] = {
+    12, 13, 14, 15, 8, 9, 10, 11, 4, 5, 6, 7, 0, 1, 2, 3,
+};
+/* of each column: q_left + sign q_right, less the last position where shifted; its
+ * function is share (N_left + sign N_right) */
+static const short left[] = {
+    0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7,
+};
+static const short right[] = {
+    12, 13, 13, 14, 14, 15, 15, 8, 8, 9, 9, 10, 10, 11, 11,
+};
+static const short shifted[] = {
+    0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0,
+};
+static const double sign[] = {
+    -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1,
+};
+static const double share[] = {
+    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
+    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
+};
+/* pairs of columns: those with t = v, then the others, by class */
+static const short pair_t[] = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 8, 9, 10, 11, 12, 13, 14, 2, 4, 6, 7, 8,
+    9, 10, 10, 11, 12, 12, 13, 14, 14, 2, 5, 6, 7, 8, 9, 10, 10, 11, 12, 13, 13, 14, 14, 1, 5,
+    6, 7, 8, 9, 9, 10, 11, 12, 13, 13, 14, 14, 4, 5, 6, 7, 8, 9, 10, 11, 12, 12, 13, 13, 14, 14,
+    3, 5, 6, 7, 8, 9, 10, 11, 11, 12, 13, 13, 14, 14, 3, 4, 6, 7, 8, 9, 10, 11, 11, 12, 12, 13,
+    14, 14, 3, 4, 5, 7, 8, 9, 10, 11, 11, 12, 12, 13, 13, 14,
+};
+static const short pair_v[] = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 0, 1, 2, 3, 4, 5, 6, 1, 3, 5, 0, 7, 2, 1,
+    9, 4, 3, 11, 6, 5, 13, 0, 3, 4, 1, 2, 7, 0, 8, 5, 6, 3, 11, 4, 12, 0, 4, 3, 2, 1, 0, 8, 7,
+    6, 5, 4, 12, 3, 11, 0, 1, 2, 3, 4, 5, 6, 7, 0, 8, 1, 9, 2, 10, 0, 2, 1, 4, 3, 6, 5, 0, 8, 7,
+    2, 10, 1, 9, 1, 2, 0, 5, 6, 3, 4, 1, 9, 2, 10, 7, 0, 8, 2, 1, 0, 6, 5, 4, 3, 2, 10, 1, 9, 0,
+    8, 7,
+};
+static const short first_pair[] = {
+    0, 22, 36, 50, 64, 78, 92, 106, 120,
+};
+static const short first_cross[] = {
+    15, 22, 36, 50, 64, 78, 92, 106, 120,
+};
+/* rows of Q and of the symmetric part, by class */
+static const short row[] = {
+    0, 2, 5, 9, 10, 14, 16, 20, 23, 27, 31, 35, 36, 40, 46, 50, 57, 61, 69, 73, 78, 92, 107,
+    123, 44, 54, 65, 77, 82, 86, 90, 96, 100, 104, 111, 115, 119, 127, 131, 135, 1, 8, 11, 15,
+    19, 24, 30, 34, 37, 41, 45, 58, 62, 68, 79, 108, 49, 53, 72, 76, 83, 87, 91, 95, 99, 103,
+    112, 116, 122, 126, 130, 134, 3, 7, 12, 18, 21, 25, 29, 33, 38, 42, 48, 52, 55, 67, 80, 94,
+    59, 63, 71, 75, 84, 88, 98, 102, 105, 109, 113, 117, 121, 125, 129, 133, 4, 6, 13, 17, 22,
+    26, 28, 32, 39, 43, 47, 51, 56, 66, 81, 93, 60, 64, 70, 74, 85, 89, 97, 101, 106, 110, 114,
+    118, 120, 124, 128, 132,
+};
+static const short first_row[] = {
+    0, 24, 40, 56, 72, 88, 104, 120, 136,
+};
+/* rows of the skew part, by class */
+static const short skew_row[] = {
+    82, 86, 96, 100, 111, 115, 127, 131, 10, 16, 23, 31, 36, 40, 46, 50, 57, 61, 69, 73, 78, 92,
+    107, 123, 1, 8, 19, 34, 49, 72, 83, 87, 91, 95, 99, 112, 116, 122, 126, 130, 11, 15, 24, 30,
+    37, 41, 45, 53, 58, 62, 68, 76, 79, 103, 108, 134, 3, 7, 25, 33, 59, 71, 84, 88, 98, 102,
+    105, 109, 113, 121, 125, 129, 12, 18, 21, 29, 38, 42, 48, 52, 55, 63, 67, 75, 80, 94, 117,
+    133, 4, 6, 26, 32, 60, 70, 85, 89, 97, 101, 106, 110, 114, 120, 124, 128, 13, 17, 22, 28,
+    39, 43, 47, 51, 56, 64, 66, 74, 81, 93, 118, 132,
+};
+static const short first_skew_row[] = {
+    0, 8, 24, 40, 56, 72, 88, 104, 120,
+};
+/* by the section's symmetry: how many classes a row meets, and its own class times which */
+static const short merged[] = {
+    4, 2, 2, 1,
+};
+static const short merged_with[] = {
+    0, 2, 4, 6, 0, 4, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0,
+};
+/* pairs of rows that are images, and rows that are their own */
+static const short image[] = {
+    0, 90, 1, 103, 2, 104, 3, 117, 4, 118, 5, 119, 6, 132, 7, 133, 8, 134, 9, 135, 10, 86, 11,
+    99, 12, 113, 13, 128, 14, 44, 15, 87, 16, 100, 17, 114, 18, 129, 19, 53, 20, 54, 21, 88, 22,
+    101, 23, 115, 24, 130, 25, 63, 26, 64, 27, 65, 28, 89, 29, 102, 30, 116, 31, 131, 32, 74,
+    33, 75, 34, 76, 35, 77, 36, 82, 37, 95, 38, 109, 39, 124, 41, 49, 42, 59, 43, 70, 45, 83,
+    46, 96, 47, 110, 48, 125, 51, 60, 52, 71, 55, 84, 56, 97, 57, 111, 58, 126, 62, 72, 66, 85,
+    67, 98, 68, 112, 69, 127, 79, 91, 80, 105, 81, 120, 93, 106, 94, 121, 108, 122,
+};
+static const short alone[] = {
+    40, 50, 61, 73, 78, 92, 107, 123,
+};
+
+/* Which parities the section keeps apart (kernel.h): of the entries of Q that are odd in y, or in
+ * z, none may be more than rounding. */
+static int symmetry(const struct hobe_invariants *inv)
+{
+    const double rounding = 1e-13;
+    double size[NN + NS];
+    int odd[NN + NS], kept = 3;
+    for (int i = 0; i < S; i++)
+        for (int k = 0; k <= i; k++) {
+            const int r = gram_entry(k, i), s = r - NN;
+            const int ii = gram_entry(i, i), kk = gram_entry(k, k);
+            odd[r] = parity[i] ^ parity[k];
+            size[r] = __builtin_fabs(s < 0 ? inv->Qn[r * NN + r] : inv->Qs[s * NS + s]);
+            if (s < 0) /* its own may vanish: of warping functions the law may know means alone */
+                size[r] += __builtin_sqrt(
+                    __builtin_fabs(inv->Qn[ii * NN + ii] * inv->Qn[kk * NN + kk]));
+        }
+    for (int block = 0; block < 2; block++) {
+        const int n = block ? NS : NN, first = block * NN;
+        const double *Q = block ? inv->Qs : inv->Qn;
+        for (int r = 0; r < n; r++)
+            for (int c = 0; c < r; c++) {
+                const double q = Q[r * n + c] / rounding;
+                if (q * q > size[first + r] * size[first + c])
+                    kept &= ~(odd[first + r] ^ odd[first + c]);
+            }
+    }
+    return kept;
+}
+
+/* a[16] = int of the axial functions of vectors i, j and columns t, v (e = 0..3) over the length:
+ * bit e of the index says whether it is the function itself or its derivative. */
+static void axial_integrals(const struct hobe_invariants *inv, int i, int j, int t, int v,
+                            double a[16])
+{
+    clear(a, 16);
+    for (int g = 0; g < inv->stations; g++) {
+        const double *F[2] = {inv->Nx + V * g, inv->N + V * g};
+        double rows[4], columns[4];
+        for (int n = 0; n < 4; n++) {
+            const double *f = F[n & 1], *h = F[n >> 1];
+            rows[n] = inv->wx[g] * f[i] * h[j];
+            columns[n] = share[t] * (f[left[t]] + sign[t] * f[right[t]]) * share[v] *
+                         (h[left[v]] + sign[v] * h[right[v]]);
+        }
+        for (int n = 0; n < 16; n++)
+            a[n] += rows[n & 3] * columns[n >> 2];
+    }
+}
+
+/* The entry of A whose indices are those of a in the given order, modes k[4]: the sum over the
+ * section vectors that they are d_k' or d_k of. */
+static double tensor_entry(const struct hobe_invariants *inv, const double a[16], const int k[4],
+                           const int order[4])
+{
+    double sum = 0.0;
+    int normal[2][2], shear[2][2]; /* Gram entries of both pairs: both primed or none, or one */
+    for (int h = 0; h < 2; h++) {
+        const int p = k[order[2 * h]], q = k[order[2 * h + 1]];
+        normal[h][0] = symmetric(p, q);
+        normal[h][1] = p && q ? NA + symmetric(p - 1, q - 1) : -1;
+        shear[h][0] = q ? p * (M - 1) + q - 1 : -1;
+        shear[h][1] = p ? q * (M - 1) + p - 1 : -1;
+    }
+    for (int n = 0; n < 4; n++) {
+        const int x = n & 1, y = n >> 1, both = x << order[0] | x << order[1];
+        const int *N = normal[0], *G = shear[0];
+        if (N[x] >= 0 && normal[1][y] >= 0)
+            sum += a[both | y << order[2] | y << order[3]] * inv->Qn[N[x] * NN + normal[1][y]];
+        if (G[x] >= 0 && shear[1][y] >= 0)
+            sum += a[1 << order[1 - x] | 1 << order[3 - y]] * inv->Qs[G[x] * NS + shear[1][y]];
+    }
+    return sum;
+}
+
+/* The coefficients c[3] of Q, of the symmetric and of the skew part, of the pair of columns p in
+ * the row of vectors i, j. */
+static void coefficients(const struct hobe_invariants *inv, int i, int j, int p, double c[3])
+{
+    static const int order[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+    const int t = pair_t[p], v = pair_v[p];
+    const int k[4] = {mode[i], mode[j], mode[left[t]], mode[left[v]]};
+    double a[16];
+    axial_integrals(inv, i, j, t, v, a);
+    for (int n = 0; n < 3; n++)
+        c[n] = tensor_entry(inv, a, k, order[n]);
+    const double first = c[1], second = t == v ? 0.0 : c[2];
+    c[1] = first + second;
+    c[2] = 0.5 * (first - second);
+}
+
+/* The vectors i >= j of a row, or of its mirror image if that comes first: both are parts of that
+ * one's. */
+static void row_vectors(int r, int *i, int *j)
+{
+    for (int n = 0; n < 2; n++) {
+        for (*i = 0; hobe_pair(*i + 1, 0) <= r; ++*i)
+            ;
+        *j = r - hobe_pair(*i, 0);
+        const int other = symmetric(mirror_of[*i], mirror_of[*j]);
+        r = other < r ? other : r;
+    }
+}
+
+/* The place, among the coefficients of a class of rows, of the one of row r and column p where sums
+ * are taken over `height` rows at a time. */
+static int place(int rows, int columns, int height, int r, int p)
+{
+    const int together = r < rows / height * height ? height : 1;
+    return (r - r % together) * columns + p * together + r % together;
+}
+
+/* How many columns meet the rows of class c; their numbers to pair[], unless that is NULL. */
+static int meets(const struct hobe_invariants *inv, int c, const short *first, int *pair)
+{
+    int count = 0;
+    for (int m = 0; m < merged[inv->symmetry]; m++) {
+        const int k = c ^ merged_with[4 * inv->symmetry + m];
+        for (int p = first[k]; p < first[k + 1]; p++, count++)
+            if (pair)
+                pair[count] = p;
+    }
+    return count;
+}
+
+/* The coefficients of the rows of class c: of sums first <= s < last to H[s], which move on. */
+static void row_coefficients(const struct hobe_invariants *inv, int c, int first, int last,
+                             double *H[3])
+{
+    static const int height[3] = {4, 2, 4};
+    const short *of = first == 2 ? skew_row : row, *start = first == 2 ? first_skew_row : first_row;
+    const int rows = start[c + 1] - start[c];
+    int pair[PAIRS];
+    const int columns = meets(inv, c, first == 2 ? first_cross : first_pair, pair);
+    for (int r = 0; r < rows; r++) {
+        int i, j;
+        row_vectors(of[start[c] + r], &i, &j);
+        for (int p = 0; p < columns; p++) {
+            double value[3];
+            coefficients(inv, i, j, pair[p], value);
+            for (int s = first; s < last; s++)
+                H[s][place(rows, columns, height[s], r, p)] = value[s];
+        }
+    }
+    for (int s = first; s < last; s++)
+        H[s] += rows * columns;
+}
+
+static void tensor(const struct hobe_invariants *inv)
+{
+    int count = 0;
+    for (int c = 0; c < CLASSES; c++)
+        count += (first_row[c + 1] - first_row[c]) * meets(inv, c, first_pair, NULL);
+    double *H[3] = {inv->tensor, inv->tensor + count, inv->tensor + 2 * count};
+    for (int c = 0; c < CLASSES; c++) {
+        row_coefficients(inv, c, 0, 2, H); /* of Q and of the symmetric part */
+        row_coefficients(inv, c, 2, 3, H); /* of the skew part */
+    }
 }
 
 /* D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0) */
@@ -902,6 +1171,395 @@ static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
     }
 }
 
+/* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
+static void column_vectors(const hobe_real *x, hobe_real *y)
+{
+    for (int t = 0; t < COLUMNS; t++) {
+        for (int a = 0; a < 3; a++) {
+            y[3 * t + a] = x[3 * left[t] + a] + sign[t] * x[3 * right[t] + a];
+        }
+        if (shifted[t]) {
+            for (int a = 0; a < 3; a++) {
+                y[3 * t + a] -= x[3 * LAST + a];
+            }
+        }
+    }
+}
+
+/* gamma_tv = B_t.C_v + C_t.B_v, gamma_tt = B_t.C_t: Gram differences as in `differences` */
+static void column_differences(const hobe_real *B, const hobe_real *C, hobe_real *gamma)
+{
+    for (int p = 0; p < COLUMNS; p++) {
+        gamma[p] = dot(B + 3 * pair_t[p], C + 3 * pair_t[p]);
+    }
+    for (int p = COLUMNS; p < PAIRS; p++) {
+        const hobe_real *Bt = B + 3 * pair_t[p], *Ct = C + 3 * pair_t[p];
+        gamma[p] = dot(Bt, C + 3 * pair_v[p]) + dot(Ct, B + 3 * pair_v[p]);
+    }
+}
+
+/* X[PAIRS][6]: xx, yy, zz, 2yz, 2xz, 2xy of y_t with y_v; Z[PAIRS - COLUMNS][3] = y_t x y_v */
+static void products(const hobe_real *y, hobe_real *X, hobe_real *Z)
+{
+    for (int p = 0; p < PAIRS; p++) {
+        const hobe_real *t = y + 3 * pair_t[p], *v = y + 3 * pair_v[p];
+        const hobe_real t0 = t[0], t1 = t[1], t2 = t[2], v0 = v[0], v1 = v[1], v2 = v[2];
+        hobe_real *to = X + 6 * p;
+        to[0] = t0 * v0;
+        to[1] = t1 * v1;
+        to[2] = t2 * v2;
+        to[3] = t1 * v2 + t2 * v1;
+        to[4] = t2 * v0 + t0 * v2;
+        to[5] = t0 * v1 + t1 * v0;
+        if (p >= COLUMNS) {
+            hobe_real *cross = Z + 3 * (p - COLUMNS);
+            cross[0] = t1 * v2 - t2 * v1;
+            cross[1] = t2 * v0 - t0 * v2;
+            cross[2] = t0 * v1 - t1 * v0;
+        }
+    }
+}
+
+/* Q[row][1] = the rows' sums of coefficients H times columns
+ * X[PAIRS][1]; returns the end of H */
+static const double *row_stress(const double *H, int symmetry, const hobe_real *X, hobe_real *Q)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_row[c + 1] - first_row[c];
+        for (int b = 0; b < count / 4; b++) {
+            const int r = first_row[c] + 4 * b;
+            hobe_real s00 = zero;
+            hobe_real s10 = zero;
+            hobe_real s20 = zero;
+            hobe_real s30 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 1 * p;
+                    s00 += H[0] * x[0];
+                    s10 += H[1] * x[0];
+                    s20 += H[2] * x[0];
+                    s30 += H[3] * x[0];
+                    H += 4;
+                }
+            }
+            Q[1 * row[r + 0] + 0] = s00;
+            Q[1 * row[r + 1] + 0] = s10;
+            Q[1 * row[r + 2] + 0] = s20;
+            Q[1 * row[r + 3] + 0] = s30;
+        }
+        for (int r = first_row[c] + count / 4 * 4; r < first_row[c + 1]; r++) {
+            hobe_real s00 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 1 * p;
+                    s00 += H[0] * x[0];
+                    H += 1;
+                }
+            }
+            Q[1 * row[r + 0] + 0] = s00;
+        }
+    }
+    return H;
+}
+
+/* sym[row][6] = the rows' sums of coefficients H times columns
+ * X[PAIRS][6]; returns the end of H */
+static const double *row_symmetric(const double *H, int symmetry, const hobe_real *X,
+                                   hobe_real *sym)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_row[c + 1] - first_row[c];
+        for (int b = 0; b < count / 2; b++) {
+            const int r = first_row[c] + 2 * b;
+            hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
+            hobe_real s10 = zero, s11 = zero, s12 = zero, s13 = zero, s14 = zero, s15 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 6 * p;
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s03 += H[0] * x[3];
+                    s04 += H[0] * x[4];
+                    s05 += H[0] * x[5];
+                    s10 += H[1] * x[0];
+                    s11 += H[1] * x[1];
+                    s12 += H[1] * x[2];
+                    s13 += H[1] * x[3];
+                    s14 += H[1] * x[4];
+                    s15 += H[1] * x[5];
+                    H += 2;
+                }
+            }
+            sym[6 * row[r + 0] + 0] = s00;
+            sym[6 * row[r + 0] + 1] = s01;
+            sym[6 * row[r + 0] + 2] = s02;
+            sym[6 * row[r + 0] + 3] = s03;
+            sym[6 * row[r + 0] + 4] = s04;
+            sym[6 * row[r + 0] + 5] = s05;
+            sym[6 * row[r + 1] + 0] = s10;
+            sym[6 * row[r + 1] + 1] = s11;
+            sym[6 * row[r + 1] + 2] = s12;
+            sym[6 * row[r + 1] + 3] = s13;
+            sym[6 * row[r + 1] + 4] = s14;
+            sym[6 * row[r + 1] + 5] = s15;
+        }
+        for (int r = first_row[c] + count / 2 * 2; r < first_row[c + 1]; r++) {
+            hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 6 * p;
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s03 += H[0] * x[3];
+                    s04 += H[0] * x[4];
+                    s05 += H[0] * x[5];
+                    H += 1;
+                }
+            }
+            sym[6 * row[r + 0] + 0] = s00;
+            sym[6 * row[r + 0] + 1] = s01;
+            sym[6 * row[r + 0] + 2] = s02;
+            sym[6 * row[r + 0] + 3] = s03;
+            sym[6 * row[r + 0] + 4] = s04;
+            sym[6 * row[r + 0] + 5] = s05;
+        }
+    }
+    return H;
+}
+
+/* skew[row][3] = the rows' sums of coefficients H times columns
+ * X[PAIRS - COLUMNS][3]; returns the end of H */
+static const double *row_skew(const double *H, int symmetry, const hobe_real *X, hobe_real *skew)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_skew_row[c + 1] - first_skew_row[c];
+        for (int b = 0; b < count / 4; b++) {
+            const int r = first_skew_row[c] + 4 * b;
+            hobe_real s00 = zero, s01 = zero, s02 = zero;
+            hobe_real s10 = zero, s11 = zero, s12 = zero;
+            hobe_real s20 = zero, s21 = zero, s22 = zero;
+            hobe_real s30 = zero, s31 = zero, s32 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_cross[k]; p < first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - COLUMNS);
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s10 += H[1] * x[0];
+                    s11 += H[1] * x[1];
+                    s12 += H[1] * x[2];
+                    s20 += H[2] * x[0];
+                    s21 += H[2] * x[1];
+                    s22 += H[2] * x[2];
+                    s30 += H[3] * x[0];
+                    s31 += H[3] * x[1];
+                    s32 += H[3] * x[2];
+                    H += 4;
+                }
+            }
+            skew[3 * skew_row[r + 0] + 0] = s00;
+            skew[3 * skew_row[r + 0] + 1] = s01;
+            skew[3 * skew_row[r + 0] + 2] = s02;
+            skew[3 * skew_row[r + 1] + 0] = s10;
+            skew[3 * skew_row[r + 1] + 1] = s11;
+            skew[3 * skew_row[r + 1] + 2] = s12;
+            skew[3 * skew_row[r + 2] + 0] = s20;
+            skew[3 * skew_row[r + 2] + 1] = s21;
+            skew[3 * skew_row[r + 2] + 2] = s22;
+            skew[3 * skew_row[r + 3] + 0] = s30;
+            skew[3 * skew_row[r + 3] + 1] = s31;
+            skew[3 * skew_row[r + 3] + 2] = s32;
+        }
+        for (int r = first_skew_row[c] + count / 4 * 4; r < first_skew_row[c + 1]; r++) {
+            hobe_real s00 = zero, s01 = zero, s02 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_cross[k]; p < first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - COLUMNS);
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    H += 1;
+                }
+            }
+            skew[3 * skew_row[r + 0] + 0] = s00;
+            skew[3 * skew_row[r + 0] + 1] = s01;
+            skew[3 * skew_row[r + 0] + 2] = s02;
+        }
+    }
+    return H;
+}
+
+/* The current x[V][3] = q0 + u, its columns y, gamma, and Q[row]; returns the rest of H */
+static const double *tensor_state(const struct hobe_invariants *inv, const hobe_real *q0,
+                                  const hobe_real *u, hobe_real *x, hobe_real *y, hobe_real *gamma,
+                                  hobe_real *Q)
+{
+    hobe_real x0[3 * V], B[3 * COLUMNS];
+    gather(q0, x0);
+    gather(u, x);
+    /* gamma from the mean of before and after, and the change: no cancellation */
+    for (int i = 0; i < 3 * V; i++) {
+        x0[i] += 0.5 * x[i];
+    }
+    column_vectors(x0, B);
+    column_vectors(x, y);
+    column_differences(B, y, gamma);
+    for (int i = 0; i < 3 * V; i++) {
+        x[i] = x0[i] + 0.5 * x[i];
+    }
+    for (int i = 0; i < 3 * COLUMNS; i++) {
+        y[i] = B[i] + 0.5 * y[i];
+    }
+    const double *H;
+    H = row_stress(inv->tensor, inv->symmetry, gamma, Q);
+    for (int o = 0; o < IMAGES; o++) {
+        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
+        a[0] = sum;
+        b[0] = difference;
+    }
+    return H;
+}
+
+/* f_i = sum_j Q_ij x_j, where x_0 = 0; on positions they are in balance */
+static void tensor_force(const hobe_real *Q, const hobe_real *x, hobe_real *f)
+{
+    for (int a = 0; a < 3; a++) {
+        f[a * HOBE_PARTS] = zero;
+    }
+    for (int i = 1; i < V; i++) {
+        hobe_real sum[3] = {zero, zero, zero};
+        for (int j = 1; j < i; j++) {
+            for (int a = 0; a < 3; a++) {
+                sum[a] += Q[hobe_pair(i, j)] * x[3 * j + a];
+            }
+        }
+        for (int j = i; j < V; j++) {
+            for (int a = 0; a < 3; a++) {
+                sum[a] += Q[hobe_pair(j, i)] * x[3 * j + a];
+            }
+        }
+        for (int a = 0; a < 3; a++) {
+            f[(3 * i + a) * HOBE_PARTS] = sum[a];
+        }
+        if (position[i]) {
+            for (int a = 0; a < 3; a++) {
+                f[a * HOBE_PARTS] -= sum[a];
+            }
+        }
+    }
+}
+
+/* k[3][3] = sym + skew + Q 1 of a row */
+static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real *Q, hobe_real *k)
+{
+    k[0 * HOBE_PARTS] = s[0] + Q[0];
+    k[4 * HOBE_PARTS] = s[1] + Q[0];
+    k[8 * HOBE_PARTS] = s[2] + Q[0];
+    k[1 * HOBE_PARTS] = 0.5 * s[5] + r[2];
+    k[3 * HOBE_PARTS] = 0.5 * s[5] - r[2];
+    k[6 * HOBE_PARTS] = 0.5 * s[4] + r[1];
+    k[2 * HOBE_PARTS] = 0.5 * s[4] - r[1];
+    k[5 * HOBE_PARTS] = 0.5 * s[3] + r[0];
+    k[7 * HOBE_PARTS] = 0.5 * s[3] - r[0];
+}
+
+/* K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, those of images from their sum and difference */
+static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
+{
+    for (int o = 0; o < IMAGES; o++) {
+        const int m = image[2 * o];
+        const int n = image[2 * o + 1];
+        hobe_real s[6], r[3];
+        for (int e = 0; e < 6; e++) {
+            s[e] = sym[6 * m + e] + sym[6 * n + e];
+        }
+        for (int e = 0; e < 3; e++) {
+            r[e] = skew[3 * m + e] + skew[3 * n + e];
+        }
+        block(s, r, Q + m, K + 9 * HOBE_PARTS * m);
+        for (int e = 0; e < 6; e++) {
+            s[e] = sym[6 * m + e] - sym[6 * n + e];
+        }
+        for (int e = 0; e < 3; e++) {
+            r[e] = skew[3 * m + e] - skew[3 * n + e];
+        }
+        block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
+    }
+    for (int o = 0; o < ALONE; o++) {
+        const int m = alone[o];
+        block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
+    }
+}
+
+/* K_i0 = -K_in of two positions 0 and n = LAST */
+static void opposed_blocks(hobe_real *K)
+{
+    for (int i = 1; i < V; i++) {
+        hobe_real *to = K + 9 * HOBE_PARTS * hobe_pair(i, 0);
+        if (i < LAST) {
+            const hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(LAST, i);
+            for (int a = 0; a < 3; a++) {
+                for (int b = 0; b < 3; b++) {
+                    to[(3 * a + b) * HOBE_PARTS] = zero - k[(3 * b + a) * HOBE_PARTS];
+                }
+            }
+        }
+        if (i >= LAST) {
+            const hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(i, LAST);
+            for (int a = 0; a < 3; a++) {
+                for (int b = 0; b < 3; b++) {
+                    to[(3 * a + b) * HOBE_PARTS] = zero - k[(3 * a + b) * HOBE_PARTS];
+                }
+            }
+        }
+    }
+    for (int e = 0; e < 9; e++) {
+        K[e * HOBE_PARTS] = K[(9 * hobe_pair(LAST, LAST) + e) * HOBE_PARTS];
+    }
+}
+
+/* f = dU/dq, eq. 27, for one part of a batch */
+static void tensor_force_part(const struct hobe_invariants *inv, const hobe_real *q0,
+                              const hobe_real *u, hobe_real *f, hobe_real *scratch)
+{
+    hobe_real x[3 * V], y[3 * COLUMNS], *gamma = scratch, *Q = gamma + PAIRS;
+    tensor_state(inv, q0, u, x, y, gamma, Q);
+    tensor_force(Q, x, f);
+}
+
+/* f as in tensor_force_part and K = df/dq, eq. 28 */
+static void tensor_tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
+                                const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
+{
+    hobe_real x[3 * V], y[3 * COLUMNS];
+    hobe_real *X = scratch, *Z = X + 6 * PAIRS, *Q = Z + 3 * (PAIRS - COLUMNS);
+    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS;
+    const double *H;
+    H = tensor_state(inv, q0, u, x, y, X, Q);
+    tensor_force(Q, x, f);
+    products(y, X, Z);
+    H = row_symmetric(H, inv->symmetry, X, sym);
+    row_skew(H, inv->symmetry, Z, skew);
+    for (int i = OPPOSED; i < V; i++) {
+        for (int a = 0; a < 3; a++) {
+            skew[3 * hobe_pair(i, i) + a] = zero;
+        }
+    }
+    blocks(Q, sym, skew, K);
+    if (OPPOSED) {
+        opposed_blocks(K);
+    }
+}
+
 static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
                    hobe_lanes *U)
 {
@@ -909,20 +1567,41 @@ static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, cons
         energy_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)U + h);
 }
 
-static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
-                  hobe_lanes *f, hobe_lanes *scratch)
+static void section_wise_force(const struct hobe_invariants *inv, const hobe_lanes *q0,
+                               const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
 {
     (void)scratch;
     for (int h = 0; h < HOBE_PARTS; h++)
         force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h);
 }
 
-static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
-                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
+static void section_wise_tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
+                                 const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
+                                 hobe_lanes *scratch)
 {
     for (int h = 0; h < HOBE_PARTS; h++)
         tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h,
                      (hobe_real *)K + h, (hobe_real *)scratch);
+}
+
+static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                  hobe_lanes *f, hobe_lanes *scratch)
+{
+    if (!inv->tensor)
+        section_wise_force(inv, q0, u, f, scratch);
+    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
+        tensor_force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                          (hobe_real *)f + h, (hobe_real *)scratch);
+}
+
+static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
+{
+    if (!inv->tensor)
+        section_wise_tangent(inv, q0, u, f, K, scratch);
+    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
+        tensor_tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                            (hobe_real *)f + h, (hobe_real *)K + h, (hobe_real *)scratch);
 }
 
 static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
@@ -947,10 +1626,13 @@ static const char *const mode_name[M] = {
 static const char *const function_name[] = {
     "w",
 };
+static const struct hobe_tensor_size tensor_size[] = {
+    {19593, 161442, 22712}, {11465, 85730, 11448}, {11465, 85730, 11448}, {7401, 47874, 5816},
+};
 
 extern const struct hobe_kernel HOBE_KERNEL(3433w);
 const struct hobe_kernel HOBE_KERNEL(3433w) = {
-    .abi = 4,
+    .abi = 5,
     .name = "3433w",
     .hash = "0e36e54fc3b2f4b2",
     .source = "Tang, Tian & Hu 2022, Table 2",
@@ -965,7 +1647,7 @@ const struct hobe_kernel HOBE_KERNEL(3433w) = {
     .shears = NS,
     .flops_force = 13660,
     .flops_tangent = 120508,
-    .scratch = 263,
+    .scratch = 2395,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,
@@ -978,6 +1660,9 @@ const struct hobe_kernel HOBE_KERNEL(3433w) = {
     .force = force,
     .tangent = tangent,
     .trilinear = trilinear,
+    .tensor_size = tensor_size,
+    .symmetry = symmetry,
+    .tensor = tensor,
     .strain = strain,
     .warping_strain = warping_strain,
 };

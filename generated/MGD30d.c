@@ -8,10 +8,14 @@
  *     v2z@1 y@2 z@2 w@2 wy@2 wz@2 ww@2 yz@2 v1y@2 v1z@2 v2y@2 v2z@2 1@3 1'@3 y@3 z@3 w@3 wy@3
  *     wz@3 ww@3 yz@3 v1y@3 v1z@3 v2y@3 v2z@3
  * operations per element: force 419652, force and tangent 3411972, energy 403762
+ * as one tensor, section symmetric in neither: force 464749, force and tangent 4376761
+ * as one tensor, section symmetric in y: force 241645, force and tangent 2218297
+ * as one tensor, section symmetric in z: force 241645, force and tangent 2218297
+ * as one tensor, section symmetric in both: force 131949, force and tangent 1154169
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 4
+#if HOBE_KERNEL_ABI != 5
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -459,6 +463,410 @@ static void warping_strain(const double *N, const double *Nx, const double (*phi
         for (int i = 0; i < S; i++)
             g[b][i] *= b > 0 && warps[i]; /* no gradient along x, no other modes */
     green_lagrange((const double(*)[S])g, (const double(*)[3])D0, (const double(*)[3])U, E);
+}
+
+/* ---- eqs. 27 and 28 as products with constant matrices (generator/tensor.py) ---- */
+
+enum {
+    COLUMNS = 36, /* sums and differences of nodal vectors */
+    PAIRS = 666,  /* of those */
+    BLOCKS = 703, /* of the tangent, pairs of nodal vectors: a row each */
+    IMAGES = 288, /* pairs of rows that are mirror images */
+    ALONE = 90,   /* rows that are their own */
+    CLASSES = 8,  /* of parities: 1 odd in x, 2 odd in y, 4 odd in z */
+    LAST = 24,    /* the last position */
+    OPPOSED = 1,  /* whether it is one of two: rows with the first are less those with it */
+};
+
+/* of each section vector: 1 odd in y, 2 odd in z */
+static const unsigned char parity[] = {
+    0, 1, 2, 3, 1, 2, 3, 3, 2, 1, 1, 2, 1, 2, 3, 1, 2, 3, 3, 2, 1, 1, 2,
+};
+/* of each nodal vector: its image about mid-length, in rows */
+static const short mirror_of[] = {
+    24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22,
+    23, 24, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
+};
+/* of each column: q_left + sign q_right, less the last position where shifted; its
+ * function is share (N_left + sign N_right) */
+static const short left[] = {
+    0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9, 9, 10, 10, 11, 11, 12, 12, 13, 14, 15,
+    16, 17, 18, 19, 20, 21, 22, 23,
+};
+static const short right[] = {
+    24, 25, 25, 26, 26, 27, 27, 28, 28, 29, 29, 30, 30, 31, 31, 32, 32, 33, 33, 34, 34, 35, 35,
+    36, 36, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23,
+};
+static const short shifted[] = {
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0,
+};
+static const double sign[] = {
+    -1, -1, 1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1,
+    1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+};
+static const double share[] = {
+    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
+    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
+    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
+    1.0 / 2.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
+    1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
+};
+/* pairs of columns: those with t = v, then the others, by class */
+static const short pair_t[] = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24,
+    25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 2, 9, 10, 11, 12, 13, 14, 15, 15, 16, 16, 17,
+    17, 18, 18, 19, 19, 20, 20, 21, 21, 21, 22, 22, 22, 23, 23, 23, 24, 24, 24, 25, 25, 25, 25,
+    26, 26, 26, 26, 27, 27, 27, 28, 28, 28, 28, 28, 29, 29, 29, 29, 29, 30, 30, 30, 30, 31, 31,
+    31, 31, 31, 32, 32, 32, 32, 32, 32, 33, 33, 33, 33, 33, 33, 34, 34, 34, 34, 34, 34, 34, 35,
+    35, 35, 35, 35, 35, 35, 1, 2, 4, 6, 8, 9, 10, 10, 11, 12, 12, 13, 14, 14, 15, 15, 16, 16,
+    16, 17, 17, 18, 18, 18, 19, 19, 20, 20, 20, 21, 21, 21, 22, 22, 22, 22, 23, 23, 23, 24, 24,
+    24, 24, 25, 25, 25, 25, 26, 26, 26, 26, 27, 27, 27, 28, 28, 28, 28, 29, 29, 29, 29, 30, 30,
+    30, 31, 31, 31, 32, 32, 32, 32, 33, 33, 33, 33, 34, 34, 34, 34, 35, 35, 35, 35, 3, 4, 4, 7,
+    8, 9, 10, 10, 11, 12, 13, 13, 14, 14, 15, 15, 16, 16, 17, 17, 17, 18, 18, 18, 19, 20, 20,
+    21, 22, 22, 23, 23, 23, 24, 24, 24, 25, 26, 26, 26, 27, 27, 27, 27, 27, 28, 29, 29, 29, 29,
+    30, 30, 30, 30, 30, 30, 31, 31, 31, 31, 31, 31, 32, 32, 32, 32, 32, 32, 33, 34, 35, 35, 35,
+    35, 35, 35, 3, 3, 4, 7, 8, 9, 9, 10, 11, 12, 13, 13, 14, 14, 15, 15, 16, 16, 17, 17, 17, 18,
+    18, 18, 19, 19, 20, 21, 21, 22, 23, 23, 23, 24, 24, 24, 25, 25, 26, 26, 26, 27, 27, 27, 27,
+    28, 28, 29, 29, 29, 30, 30, 30, 30, 31, 31, 31, 31, 32, 32, 32, 33, 33, 34, 34, 35, 35, 35,
+    5, 6, 6, 7, 8, 9, 10, 11, 12, 12, 13, 13, 14, 14, 15, 15, 16, 16, 17, 18, 18, 19, 19, 19,
+    20, 20, 20, 21, 21, 21, 22, 22, 22, 23, 24, 24, 25, 25, 25, 26, 27, 27, 27, 27, 27, 28, 28,
+    28, 28, 29, 30, 30, 30, 30, 30, 30, 31, 31, 31, 31, 31, 31, 32, 33, 33, 33, 33, 33, 33, 34,
+    34, 34, 34, 34, 34, 35, 5, 5, 6, 7, 8, 9, 10, 11, 11, 12, 13, 13, 14, 14, 15, 15, 16, 16,
+    17, 17, 18, 19, 19, 19, 20, 20, 20, 21, 21, 21, 22, 22, 22, 23, 23, 24, 25, 25, 25, 26, 26,
+    27, 27, 27, 27, 28, 28, 28, 29, 29, 30, 30, 30, 30, 31, 31, 31, 31, 32, 32, 33, 33, 33, 34,
+    34, 34, 35, 35, 5, 6, 7, 8, 8, 9, 10, 11, 11, 12, 12, 13, 14, 14, 15, 16, 16, 17, 17, 18,
+    18, 19, 19, 19, 20, 20, 20, 21, 21, 21, 22, 22, 22, 23, 23, 23, 23, 24, 24, 24, 24, 25, 25,
+    25, 25, 26, 26, 26, 26, 26, 27, 28, 28, 28, 28, 28, 29, 29, 29, 29, 29, 29, 30, 31, 32, 32,
+    32, 32, 32, 32, 33, 33, 33, 33, 33, 33, 33, 34, 34, 34, 34, 34, 34, 34, 35, 35, 35, 35, 35,
+    35, 35, 35, 5, 6, 7, 7, 8, 9, 10, 11, 11, 12, 12, 13, 13, 14, 15, 15, 16, 17, 17, 18, 18,
+    19, 19, 19, 20, 20, 20, 21, 21, 21, 22, 22, 22, 23, 23, 23, 23, 24, 24, 24, 24, 25, 25, 25,
+    25, 26, 26, 26, 26, 27, 27, 28, 28, 28, 28, 29, 29, 29, 29, 30, 30, 31, 31, 32, 32, 32, 32,
+    33, 33, 33, 33, 34, 34, 34, 34, 35, 35, 35, 35,
+};
+static const short pair_v[] = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24,
+    25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 0, 3, 4, 5, 6, 7, 8, 7, 13, 8, 14, 5, 11, 6, 12,
+    3, 9, 4, 10, 3, 9, 19, 4, 10, 20, 5, 11, 17, 6, 12, 18, 3, 9, 19, 21, 5, 11, 17, 23, 7, 13,
+    15, 3, 9, 19, 21, 25, 5, 11, 17, 23, 26, 7, 13, 15, 27, 7, 13, 15, 27, 30, 5, 11, 17, 23,
+    26, 29, 3, 9, 19, 21, 25, 28, 3, 9, 19, 21, 25, 28, 33, 5, 11, 17, 23, 26, 29, 32, 0, 1, 3,
+    5, 7, 4, 3, 9, 6, 5, 11, 8, 7, 13, 8, 14, 7, 13, 15, 6, 12, 5, 11, 17, 4, 10, 3, 9, 19, 4,
+    10, 20, 3, 9, 19, 21, 6, 12, 18, 5, 11, 17, 23, 4, 10, 20, 22, 6, 12, 18, 24, 8, 14, 16, 4,
+    10, 20, 22, 6, 12, 18, 24, 8, 14, 16, 8, 14, 16, 6, 12, 18, 24, 4, 10, 20, 22, 4, 10, 20,
+    22, 6, 12, 18, 24, 1, 0, 2, 5, 6, 1, 0, 2, 7, 8, 5, 11, 6, 12, 5, 11, 6, 12, 7, 13, 15, 8,
+    14, 16, 1, 0, 2, 1, 0, 2, 7, 13, 15, 8, 14, 16, 1, 7, 13, 15, 5, 11, 17, 23, 26, 1, 7, 13,
+    15, 27, 5, 11, 17, 23, 26, 29, 5, 11, 17, 23, 26, 29, 7, 13, 15, 27, 30, 31, 1, 1, 7, 13,
+    15, 27, 30, 31, 0, 2, 1, 6, 5, 0, 2, 1, 8, 7, 6, 12, 5, 11, 6, 12, 5, 11, 8, 14, 16, 7, 13,
+    15, 0, 2, 1, 0, 2, 1, 8, 14, 16, 7, 13, 15, 0, 2, 8, 14, 16, 6, 12, 18, 24, 0, 2, 8, 14, 16,
+    6, 12, 18, 24, 6, 12, 18, 24, 8, 14, 16, 0, 2, 0, 2, 8, 14, 16, 1, 0, 2, 3, 4, 7, 8, 1, 0,
+    2, 3, 9, 4, 10, 3, 9, 4, 10, 1, 0, 2, 7, 13, 15, 8, 14, 16, 7, 13, 15, 8, 14, 16, 1, 0, 2,
+    7, 13, 15, 1, 3, 9, 19, 21, 25, 7, 13, 15, 27, 1, 3, 9, 19, 21, 25, 28, 3, 9, 19, 21, 25,
+    28, 1, 7, 13, 15, 27, 30, 31, 7, 13, 15, 27, 30, 31, 1, 0, 2, 1, 4, 3, 8, 7, 0, 2, 1, 4, 10,
+    3, 9, 4, 10, 3, 9, 0, 2, 1, 8, 14, 16, 7, 13, 15, 8, 14, 16, 7, 13, 15, 0, 2, 1, 8, 14, 16,
+    0, 2, 4, 10, 20, 22, 8, 14, 16, 0, 2, 4, 10, 20, 22, 4, 10, 20, 22, 0, 2, 8, 14, 16, 8, 14,
+    16, 0, 2, 3, 4, 1, 0, 2, 5, 6, 3, 9, 4, 10, 1, 0, 2, 1, 0, 2, 3, 9, 4, 10, 5, 11, 17, 6, 12,
+    18, 5, 11, 17, 6, 12, 18, 3, 9, 19, 21, 4, 10, 20, 22, 5, 11, 17, 23, 3, 9, 19, 21, 25, 1,
+    5, 11, 17, 23, 26, 3, 9, 19, 21, 25, 28, 1, 1, 3, 9, 19, 21, 25, 28, 5, 11, 17, 23, 26, 29,
+    32, 5, 11, 17, 23, 26, 29, 32, 3, 9, 19, 21, 25, 28, 33, 34, 4, 3, 0, 2, 1, 6, 5, 4, 10, 3,
+    9, 0, 2, 1, 0, 2, 1, 4, 10, 3, 9, 6, 12, 18, 5, 11, 17, 6, 12, 18, 5, 11, 17, 4, 10, 20, 22,
+    3, 9, 19, 21, 6, 12, 18, 24, 4, 10, 20, 22, 0, 2, 6, 12, 18, 24, 4, 10, 20, 22, 0, 2, 0, 2,
+    4, 10, 20, 22, 6, 12, 18, 24, 6, 12, 18, 24, 4, 10, 20, 22,
+};
+static const short first_pair[] = {
+    0, 123, 207, 283, 351, 427, 495, 587, 666,
+};
+static const short first_cross[] = {
+    36, 123, 207, 283, 351, 427, 495, 587, 666,
+};
+/* rows of Q and of the symmetric part, by class */
+static const short row[] = {
+    2, 5, 9, 14, 17, 20, 24, 27, 32, 35, 40, 43, 44, 48, 51, 54, 57, 60, 65, 68, 71, 76, 77, 81,
+    84, 87, 90, 93, 96, 101, 102, 104, 108, 111, 114, 117, 119, 124, 127, 128, 135, 138, 141,
+    146, 147, 149, 152, 156, 159, 162, 165, 167, 170, 175, 178, 179, 186, 189, 194, 197, 198,
+    205, 208, 209, 213, 216, 219, 222, 224, 227, 230, 233, 236, 241, 242, 244, 247, 252, 255,
+    258, 263, 264, 266, 269, 274, 275, 279, 282, 285, 288, 290, 293, 296, 299, 301, 324, 326,
+    353, 356, 361, 362, 381, 384, 387, 390, 410, 413, 414, 440, 445, 446, 471, 474, 477, 503,
+    504, 536, 570, 573, 605, 606, 641, 678, 349, 350, 364, 367, 372, 373, 377, 392, 395, 398,
+    401, 405, 421, 424, 425, 434, 437, 448, 451, 456, 457, 461, 464, 468, 479, 482, 485, 488,
+    492, 495, 500, 511, 514, 515, 524, 527, 532, 535, 543, 546, 547, 556, 559, 560, 564, 567,
+    575, 578, 581, 584, 588, 591, 594, 597, 600, 608, 611, 616, 617, 621, 624, 629, 632, 635,
+    640, 643, 646, 651, 652, 656, 659, 664, 665, 669, 672, 675, 680, 683, 686, 689, 693, 696,
+    699, 702, 13, 25, 31, 34, 39, 42, 49, 52, 53, 82, 85, 86, 109, 112, 113, 123, 126, 129, 132,
+    134, 157, 160, 161, 168, 174, 177, 180, 183, 185, 188, 193, 196, 199, 202, 204, 207, 214,
+    217, 218, 225, 228, 229, 280, 283, 284, 291, 294, 295, 338, 341, 346, 347, 352, 375, 376,
+    382, 385, 386, 412, 415, 418, 436, 459, 460, 472, 473, 505, 508, 537, 540, 596, 619, 620,
+    631, 654, 655, 4, 16, 56, 67, 92, 137, 232, 254, 302, 305, 310, 311, 313, 316, 321, 322,
+    327, 330, 335, 336, 393, 396, 397, 409, 420, 423, 426, 429, 433, 469, 480, 483, 484, 493,
+    499, 502, 510, 513, 516, 519, 523, 526, 531, 534, 542, 545, 548, 551, 555, 558, 565, 568,
+    569, 576, 579, 580, 589, 592, 593, 670, 673, 674, 681, 684, 685, 694, 697, 698, 12, 19, 30,
+    33, 38, 41, 59, 62, 63, 70, 73, 74, 95, 98, 99, 122, 125, 130, 131, 133, 140, 143, 144, 151,
+    173, 176, 181, 182, 184, 187, 192, 195, 200, 201, 203, 206, 235, 238, 239, 246, 249, 250,
+    257, 260, 261, 268, 271, 272, 339, 342, 345, 348, 355, 358, 359, 379, 402, 403, 411, 416,
+    417, 442, 443, 466, 489, 490, 506, 507, 538, 539, 562, 585, 586, 667, 690, 691, 7, 22, 46,
+    79, 106, 154, 211, 277, 303, 306, 309, 312, 314, 317, 320, 323, 328, 331, 334, 337, 366,
+    369, 370, 408, 419, 422, 427, 428, 432, 439, 450, 453, 454, 463, 498, 501, 509, 512, 517,
+    518, 522, 525, 530, 533, 541, 544, 549, 550, 554, 557, 599, 602, 603, 610, 613, 614, 623,
+    626, 627, 634, 637, 638, 645, 648, 649, 658, 661, 662, 8, 18, 23, 26, 47, 50, 58, 61, 64,
+    69, 72, 75, 80, 83, 88, 89, 94, 97, 100, 103, 107, 110, 115, 116, 118, 139, 142, 145, 148,
+    150, 155, 158, 163, 164, 166, 169, 212, 215, 220, 221, 223, 226, 234, 237, 240, 243, 245,
+    248, 251, 256, 259, 262, 265, 267, 270, 273, 278, 281, 286, 287, 289, 292, 297, 298, 340,
+    343, 344, 354, 357, 360, 363, 383, 388, 389, 407, 430, 431, 441, 444, 447, 475, 476, 497,
+    520, 521, 529, 552, 553, 571, 572, 607, 642, 11, 29, 37, 121, 172, 191, 304, 307, 308, 315,
+    318, 319, 329, 332, 333, 365, 368, 371, 374, 380, 391, 394, 399, 400, 404, 438, 449, 452,
+    455, 458, 462, 467, 470, 478, 481, 486, 487, 491, 494, 563, 566, 574, 577, 582, 583, 587,
+    590, 598, 601, 604, 609, 612, 615, 618, 622, 625, 628, 633, 636, 639, 644, 647, 650, 653,
+    657, 660, 663, 668, 671, 676, 677, 679, 682, 687, 688, 692, 695, 700, 701,
+};
+static const short first_row[] = {
+    0, 123, 207, 283, 351, 427, 495, 587, 666,
+};
+/* rows of the skew part, by class */
+static const short skew_row[] = {
+    17, 24, 32, 40, 43, 48, 51, 57, 60, 68, 71, 76, 81, 84, 87, 149, 167, 186, 205, 208, 224,
+    227, 244, 247, 266, 269, 274, 290, 293, 296, 349, 364, 367, 372, 373, 392, 395, 398, 401,
+    421, 424, 425, 437, 448, 451, 456, 457, 468, 479, 482, 485, 488, 500, 511, 514, 515, 532,
+    535, 543, 546, 547, 564, 567, 575, 578, 581, 584, 597, 600, 608, 611, 616, 617, 632, 635,
+    640, 643, 646, 651, 652, 669, 672, 675, 680, 683, 686, 689, 93, 96, 101, 102, 108, 111, 114,
+    117, 124, 127, 128, 138, 141, 146, 147, 156, 159, 162, 165, 175, 178, 179, 194, 197, 198,
+    213, 216, 219, 222, 233, 236, 241, 242, 255, 258, 263, 264, 279, 282, 285, 288, 301, 326,
+    353, 356, 361, 362, 381, 384, 387, 390, 410, 413, 414, 440, 445, 446, 461, 471, 474, 477,
+    492, 503, 504, 524, 536, 556, 559, 570, 573, 588, 591, 605, 606, 621, 624, 641, 656, 659,
+    664, 678, 693, 696, 699, 13, 25, 31, 34, 39, 42, 49, 52, 53, 82, 85, 86, 92, 134, 137, 168,
+    185, 188, 204, 207, 225, 228, 229, 232, 254, 291, 294, 295, 302, 305, 310, 311, 327, 330,
+    335, 336, 376, 393, 396, 397, 409, 420, 423, 426, 429, 460, 469, 480, 483, 484, 499, 502,
+    510, 513, 516, 519, 531, 534, 542, 545, 548, 551, 565, 568, 569, 576, 579, 580, 620, 655,
+    670, 673, 674, 681, 684, 685, 4, 16, 56, 67, 109, 112, 113, 123, 126, 129, 132, 157, 160,
+    161, 174, 177, 180, 183, 193, 196, 199, 202, 214, 217, 218, 280, 283, 284, 313, 316, 321,
+    322, 338, 341, 346, 347, 352, 375, 382, 385, 386, 412, 415, 418, 433, 436, 459, 472, 473,
+    493, 505, 508, 523, 526, 537, 540, 555, 558, 589, 592, 593, 596, 619, 631, 654, 694, 697,
+    698, 12, 19, 30, 33, 38, 41, 59, 62, 63, 70, 73, 74, 106, 133, 151, 154, 184, 187, 203, 206,
+    211, 246, 249, 250, 268, 271, 272, 277, 303, 306, 309, 312, 328, 331, 334, 337, 366, 369,
+    370, 403, 408, 419, 422, 427, 428, 439, 450, 453, 454, 490, 498, 501, 509, 512, 517, 518,
+    530, 533, 541, 544, 549, 550, 586, 599, 602, 603, 610, 613, 614, 634, 637, 638, 645, 648,
+    649, 691, 7, 22, 46, 79, 95, 98, 99, 122, 125, 130, 131, 140, 143, 144, 173, 176, 181, 182,
+    192, 195, 200, 201, 235, 238, 239, 257, 260, 261, 314, 317, 320, 323, 339, 342, 345, 348,
+    355, 358, 359, 379, 402, 411, 416, 417, 432, 442, 443, 463, 466, 489, 506, 507, 522, 525,
+    538, 539, 554, 557, 562, 585, 623, 626, 627, 658, 661, 662, 667, 690, 8, 18, 23, 26, 47, 50,
+    58, 61, 64, 69, 72, 75, 80, 83, 88, 89, 118, 121, 150, 166, 169, 172, 191, 223, 226, 245,
+    248, 251, 267, 270, 273, 289, 292, 297, 298, 304, 307, 308, 329, 332, 333, 365, 368, 371,
+    374, 380, 391, 394, 399, 400, 431, 438, 449, 452, 455, 458, 467, 470, 478, 481, 486, 487,
+    521, 553, 563, 566, 574, 577, 582, 583, 598, 601, 604, 609, 612, 615, 618, 633, 636, 639,
+    644, 647, 650, 653, 668, 671, 676, 677, 679, 682, 687, 688, 11, 29, 37, 94, 97, 100, 103,
+    107, 110, 115, 116, 139, 142, 145, 148, 155, 158, 163, 164, 212, 215, 220, 221, 234, 237,
+    240, 243, 256, 259, 262, 265, 278, 281, 286, 287, 315, 318, 319, 340, 343, 344, 354, 357,
+    360, 363, 383, 388, 389, 404, 407, 430, 441, 444, 447, 462, 475, 476, 491, 494, 497, 520,
+    529, 552, 571, 572, 587, 590, 607, 622, 625, 628, 642, 657, 660, 663, 692, 695, 700, 701,
+};
+static const short first_skew_row[] = {
+    0, 87, 171, 247, 315, 391, 459, 551, 630,
+};
+/* by the section's symmetry: how many classes a row meets, and its own class times which */
+static const short merged[] = {
+    4, 2, 2, 1,
+};
+static const short merged_with[] = {
+    0, 2, 4, 6, 0, 4, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0,
+};
+/* pairs of rows that are images, and rows that are their own */
+static const short image[] = {
+    2, 350, 4, 376, 5, 377, 7, 403, 8, 404, 9, 405, 11, 431, 12, 432, 13, 433, 14, 434, 16, 460,
+    17, 461, 18, 462, 19, 463, 20, 464, 22, 490, 23, 491, 24, 492, 25, 493, 26, 494, 27, 495,
+    29, 521, 30, 522, 31, 523, 32, 524, 33, 525, 34, 526, 35, 527, 37, 553, 38, 554, 39, 555,
+    40, 556, 41, 557, 42, 558, 43, 559, 44, 560, 46, 586, 47, 587, 48, 588, 49, 589, 50, 590,
+    51, 591, 52, 592, 53, 593, 54, 594, 56, 620, 57, 621, 58, 622, 59, 623, 60, 624, 61, 625,
+    62, 626, 63, 627, 64, 628, 65, 629, 67, 655, 68, 656, 69, 657, 70, 658, 71, 659, 72, 660,
+    73, 661, 74, 662, 75, 663, 76, 664, 77, 665, 79, 691, 80, 692, 81, 693, 82, 694, 83, 695,
+    84, 696, 85, 697, 86, 698, 87, 699, 88, 700, 89, 701, 90, 702, 92, 338, 93, 364, 94, 391,
+    95, 419, 96, 448, 97, 478, 98, 509, 99, 541, 100, 574, 101, 608, 102, 643, 103, 679, 106,
+    339, 107, 365, 108, 392, 109, 420, 110, 449, 111, 479, 112, 510, 113, 542, 114, 575, 115,
+    609, 116, 644, 117, 680, 121, 340, 122, 366, 123, 393, 124, 421, 125, 450, 126, 480, 127,
+    511, 128, 543, 129, 576, 130, 610, 131, 645, 132, 681, 137, 341, 138, 367, 139, 394, 140,
+    422, 141, 451, 142, 481, 143, 512, 144, 544, 145, 577, 146, 611, 147, 646, 148, 682, 154,
+    342, 155, 368, 156, 395, 157, 423, 158, 452, 159, 482, 160, 513, 161, 545, 162, 578, 163,
+    612, 164, 647, 165, 683, 172, 343, 173, 369, 174, 396, 175, 424, 176, 453, 177, 483, 178,
+    514, 179, 546, 180, 579, 181, 613, 182, 648, 183, 684, 191, 344, 192, 370, 193, 397, 194,
+    425, 195, 454, 196, 484, 197, 515, 198, 547, 199, 580, 200, 614, 201, 649, 202, 685, 211,
+    345, 212, 371, 213, 398, 214, 426, 215, 455, 216, 485, 217, 516, 218, 548, 219, 581, 220,
+    615, 221, 650, 222, 686, 232, 346, 233, 372, 234, 399, 235, 427, 236, 456, 237, 486, 238,
+    517, 239, 549, 240, 582, 241, 616, 242, 651, 243, 687, 254, 347, 255, 373, 256, 400, 257,
+    428, 258, 457, 259, 487, 260, 518, 261, 550, 262, 583, 263, 617, 264, 652, 265, 688, 277,
+    348, 278, 374, 279, 401, 280, 429, 281, 458, 282, 488, 283, 519, 284, 551, 285, 584, 286,
+    618, 287, 653, 288, 689, 301, 349, 302, 375, 303, 402, 304, 430, 305, 459, 306, 489, 307,
+    520, 308, 552, 309, 585, 310, 619, 311, 654, 312, 690, 327, 352, 328, 379, 329, 407, 330,
+    436, 331, 466, 332, 497, 333, 529, 334, 562, 335, 596, 336, 631, 337, 667, 354, 380, 355,
+    408, 356, 437, 357, 467, 358, 498, 359, 530, 360, 563, 361, 597, 362, 632, 363, 668, 382,
+    409, 383, 438, 384, 468, 385, 499, 386, 531, 387, 564, 388, 598, 389, 633, 390, 669, 411,
+    439, 412, 469, 413, 500, 414, 532, 415, 565, 416, 599, 417, 634, 418, 670, 441, 470, 442,
+    501, 443, 533, 444, 566, 445, 600, 446, 635, 447, 671, 472, 502, 473, 534, 474, 567, 475,
+    601, 476, 636, 477, 672, 504, 535, 505, 568, 506, 602, 507, 637, 508, 673, 537, 569, 538,
+    603, 539, 638, 540, 674, 571, 604, 572, 639, 573, 675, 606, 640, 607, 676, 642, 677,
+};
+static const short alone[] = {
+    104, 118, 119, 133, 134, 135, 149, 150, 151, 152, 166, 167, 168, 169, 170, 184, 185, 186,
+    187, 188, 189, 203, 204, 205, 206, 207, 208, 209, 223, 224, 225, 226, 227, 228, 229, 230,
+    244, 245, 246, 247, 248, 249, 250, 251, 252, 266, 267, 268, 269, 270, 271, 272, 273, 274,
+    275, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 313, 314, 315, 316, 317, 318,
+    319, 320, 321, 322, 323, 324, 326, 353, 381, 410, 440, 471, 503, 536, 570, 605, 641, 678,
+};
+
+/* Which parities the section keeps apart (kernel.h): of the entries of Q that are odd in y, or in
+ * z, none may be more than rounding. */
+static int symmetry(const struct hobe_invariants *inv)
+{
+    const double rounding = 1e-13;
+    double size[NN + NS];
+    int odd[NN + NS], kept = 3;
+    for (int i = 0; i < S; i++)
+        for (int k = 0; k <= i; k++) {
+            const int r = gram_entry(k, i), s = r - NN;
+            const int ii = gram_entry(i, i), kk = gram_entry(k, k);
+            odd[r] = parity[i] ^ parity[k];
+            size[r] = __builtin_fabs(s < 0 ? inv->Qn[r * NN + r] : inv->Qs[s * NS + s]);
+            if (s < 0) /* its own may vanish: of warping functions the law may know means alone */
+                size[r] += __builtin_sqrt(
+                    __builtin_fabs(inv->Qn[ii * NN + ii] * inv->Qn[kk * NN + kk]));
+        }
+    for (int block = 0; block < 2; block++) {
+        const int n = block ? NS : NN, first = block * NN;
+        const double *Q = block ? inv->Qs : inv->Qn;
+        for (int r = 0; r < n; r++)
+            for (int c = 0; c < r; c++) {
+                const double q = Q[r * n + c] / rounding;
+                if (q * q > size[first + r] * size[first + c])
+                    kept &= ~(odd[first + r] ^ odd[first + c]);
+            }
+    }
+    return kept;
+}
+
+/* a[16] = int of the axial functions of vectors i, j and columns t, v (e = 0..3) over the length:
+ * bit e of the index says whether it is the function itself or its derivative. */
+static void axial_integrals(const struct hobe_invariants *inv, int i, int j, int t, int v,
+                            double a[16])
+{
+    clear(a, 16);
+    for (int g = 0; g < inv->stations; g++) {
+        const double *F[2] = {inv->Nx + V * g, inv->N + V * g};
+        double rows[4], columns[4];
+        for (int n = 0; n < 4; n++) {
+            const double *f = F[n & 1], *h = F[n >> 1];
+            rows[n] = inv->wx[g] * f[i] * h[j];
+            columns[n] = share[t] * (f[left[t]] + sign[t] * f[right[t]]) * share[v] *
+                         (h[left[v]] + sign[v] * h[right[v]]);
+        }
+        for (int n = 0; n < 16; n++)
+            a[n] += rows[n & 3] * columns[n >> 2];
+    }
+}
+
+/* The entry of A whose indices are those of a in the given order, modes k[4]: the sum over the
+ * section vectors that they are d_k' or d_k of. */
+static double tensor_entry(const struct hobe_invariants *inv, const double a[16], const int k[4],
+                           const int order[4])
+{
+    double sum = 0.0;
+    int normal[2][2], shear[2][2]; /* Gram entries of both pairs: both primed or none, or one */
+    for (int h = 0; h < 2; h++) {
+        const int p = k[order[2 * h]], q = k[order[2 * h + 1]];
+        normal[h][0] = symmetric(p, q);
+        normal[h][1] = p && q ? NA + symmetric(p - 1, q - 1) : -1;
+        shear[h][0] = q ? p * (M - 1) + q - 1 : -1;
+        shear[h][1] = p ? q * (M - 1) + p - 1 : -1;
+    }
+    for (int n = 0; n < 4; n++) {
+        const int x = n & 1, y = n >> 1, both = x << order[0] | x << order[1];
+        const int *N = normal[0], *G = shear[0];
+        if (N[x] >= 0 && normal[1][y] >= 0)
+            sum += a[both | y << order[2] | y << order[3]] * inv->Qn[N[x] * NN + normal[1][y]];
+        if (G[x] >= 0 && shear[1][y] >= 0)
+            sum += a[1 << order[1 - x] | 1 << order[3 - y]] * inv->Qs[G[x] * NS + shear[1][y]];
+    }
+    return sum;
+}
+
+/* The coefficients c[3] of Q, of the symmetric and of the skew part, of the pair of columns p in
+ * the row of vectors i, j. */
+static void coefficients(const struct hobe_invariants *inv, int i, int j, int p, double c[3])
+{
+    static const int order[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+    const int t = pair_t[p], v = pair_v[p];
+    const int k[4] = {mode[i], mode[j], mode[left[t]], mode[left[v]]};
+    double a[16];
+    axial_integrals(inv, i, j, t, v, a);
+    for (int n = 0; n < 3; n++)
+        c[n] = tensor_entry(inv, a, k, order[n]);
+    const double first = c[1], second = t == v ? 0.0 : c[2];
+    c[1] = first + second;
+    c[2] = 0.5 * (first - second);
+}
+
+/* The vectors i >= j of a row, or of its mirror image if that comes first: both are parts of that
+ * one's. */
+static void row_vectors(int r, int *i, int *j)
+{
+    for (int n = 0; n < 2; n++) {
+        for (*i = 0; hobe_pair(*i + 1, 0) <= r; ++*i)
+            ;
+        *j = r - hobe_pair(*i, 0);
+        const int other = symmetric(mirror_of[*i], mirror_of[*j]);
+        r = other < r ? other : r;
+    }
+}
+
+/* The place, among the coefficients of a class of rows, of the one of row r and column p where sums
+ * are taken over `height` rows at a time. */
+static int place(int rows, int columns, int height, int r, int p)
+{
+    const int together = r < rows / height * height ? height : 1;
+    return (r - r % together) * columns + p * together + r % together;
+}
+
+/* How many columns meet the rows of class c; their numbers to pair[], unless that is NULL. */
+static int meets(const struct hobe_invariants *inv, int c, const short *first, int *pair)
+{
+    int count = 0;
+    for (int m = 0; m < merged[inv->symmetry]; m++) {
+        const int k = c ^ merged_with[4 * inv->symmetry + m];
+        for (int p = first[k]; p < first[k + 1]; p++, count++)
+            if (pair)
+                pair[count] = p;
+    }
+    return count;
+}
+
+/* The coefficients of the rows of class c: of sums first <= s < last to H[s], which move on. */
+static void row_coefficients(const struct hobe_invariants *inv, int c, int first, int last,
+                             double *H[3])
+{
+    static const int height[3] = {4, 2, 4};
+    const short *of = first == 2 ? skew_row : row, *start = first == 2 ? first_skew_row : first_row;
+    const int rows = start[c + 1] - start[c];
+    int pair[PAIRS];
+    const int columns = meets(inv, c, first == 2 ? first_cross : first_pair, pair);
+    for (int r = 0; r < rows; r++) {
+        int i, j;
+        row_vectors(of[start[c] + r], &i, &j);
+        for (int p = 0; p < columns; p++) {
+            double value[3];
+            coefficients(inv, i, j, pair[p], value);
+            for (int s = first; s < last; s++)
+                H[s][place(rows, columns, height[s], r, p)] = value[s];
+        }
+    }
+    for (int s = first; s < last; s++)
+        H[s] += rows * columns;
+}
+
+static void tensor(const struct hobe_invariants *inv)
+{
+    int count = 0;
+    for (int c = 0; c < CLASSES; c++)
+        count += (first_row[c + 1] - first_row[c]) * meets(inv, c, first_pair, NULL);
+    double *H[3] = {inv->tensor, inv->tensor + count, inv->tensor + 2 * count};
+    for (int c = 0; c < CLASSES; c++) {
+        row_coefficients(inv, c, 0, 2, H); /* of Q and of the symmetric part */
+        row_coefficients(inv, c, 2, 3, H); /* of the skew part */
+    }
 }
 
 /* D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0) */
@@ -948,6 +1356,395 @@ static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
     }
 }
 
+/* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
+static void column_vectors(const hobe_real *x, hobe_real *y)
+{
+    for (int t = 0; t < COLUMNS; t++) {
+        for (int a = 0; a < 3; a++) {
+            y[3 * t + a] = x[3 * left[t] + a] + sign[t] * x[3 * right[t] + a];
+        }
+        if (shifted[t]) {
+            for (int a = 0; a < 3; a++) {
+                y[3 * t + a] -= x[3 * LAST + a];
+            }
+        }
+    }
+}
+
+/* gamma_tv = B_t.C_v + C_t.B_v, gamma_tt = B_t.C_t: Gram differences as in `differences` */
+static void column_differences(const hobe_real *B, const hobe_real *C, hobe_real *gamma)
+{
+    for (int p = 0; p < COLUMNS; p++) {
+        gamma[p] = dot(B + 3 * pair_t[p], C + 3 * pair_t[p]);
+    }
+    for (int p = COLUMNS; p < PAIRS; p++) {
+        const hobe_real *Bt = B + 3 * pair_t[p], *Ct = C + 3 * pair_t[p];
+        gamma[p] = dot(Bt, C + 3 * pair_v[p]) + dot(Ct, B + 3 * pair_v[p]);
+    }
+}
+
+/* X[PAIRS][6]: xx, yy, zz, 2yz, 2xz, 2xy of y_t with y_v; Z[PAIRS - COLUMNS][3] = y_t x y_v */
+static void products(const hobe_real *y, hobe_real *X, hobe_real *Z)
+{
+    for (int p = 0; p < PAIRS; p++) {
+        const hobe_real *t = y + 3 * pair_t[p], *v = y + 3 * pair_v[p];
+        const hobe_real t0 = t[0], t1 = t[1], t2 = t[2], v0 = v[0], v1 = v[1], v2 = v[2];
+        hobe_real *to = X + 6 * p;
+        to[0] = t0 * v0;
+        to[1] = t1 * v1;
+        to[2] = t2 * v2;
+        to[3] = t1 * v2 + t2 * v1;
+        to[4] = t2 * v0 + t0 * v2;
+        to[5] = t0 * v1 + t1 * v0;
+        if (p >= COLUMNS) {
+            hobe_real *cross = Z + 3 * (p - COLUMNS);
+            cross[0] = t1 * v2 - t2 * v1;
+            cross[1] = t2 * v0 - t0 * v2;
+            cross[2] = t0 * v1 - t1 * v0;
+        }
+    }
+}
+
+/* Q[row][1] = the rows' sums of coefficients H times columns
+ * X[PAIRS][1]; returns the end of H */
+static const double *row_stress(const double *H, int symmetry, const hobe_real *X, hobe_real *Q)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_row[c + 1] - first_row[c];
+        for (int b = 0; b < count / 4; b++) {
+            const int r = first_row[c] + 4 * b;
+            hobe_real s00 = zero;
+            hobe_real s10 = zero;
+            hobe_real s20 = zero;
+            hobe_real s30 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 1 * p;
+                    s00 += H[0] * x[0];
+                    s10 += H[1] * x[0];
+                    s20 += H[2] * x[0];
+                    s30 += H[3] * x[0];
+                    H += 4;
+                }
+            }
+            Q[1 * row[r + 0] + 0] = s00;
+            Q[1 * row[r + 1] + 0] = s10;
+            Q[1 * row[r + 2] + 0] = s20;
+            Q[1 * row[r + 3] + 0] = s30;
+        }
+        for (int r = first_row[c] + count / 4 * 4; r < first_row[c + 1]; r++) {
+            hobe_real s00 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 1 * p;
+                    s00 += H[0] * x[0];
+                    H += 1;
+                }
+            }
+            Q[1 * row[r + 0] + 0] = s00;
+        }
+    }
+    return H;
+}
+
+/* sym[row][6] = the rows' sums of coefficients H times columns
+ * X[PAIRS][6]; returns the end of H */
+static const double *row_symmetric(const double *H, int symmetry, const hobe_real *X,
+                                   hobe_real *sym)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_row[c + 1] - first_row[c];
+        for (int b = 0; b < count / 2; b++) {
+            const int r = first_row[c] + 2 * b;
+            hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
+            hobe_real s10 = zero, s11 = zero, s12 = zero, s13 = zero, s14 = zero, s15 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 6 * p;
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s03 += H[0] * x[3];
+                    s04 += H[0] * x[4];
+                    s05 += H[0] * x[5];
+                    s10 += H[1] * x[0];
+                    s11 += H[1] * x[1];
+                    s12 += H[1] * x[2];
+                    s13 += H[1] * x[3];
+                    s14 += H[1] * x[4];
+                    s15 += H[1] * x[5];
+                    H += 2;
+                }
+            }
+            sym[6 * row[r + 0] + 0] = s00;
+            sym[6 * row[r + 0] + 1] = s01;
+            sym[6 * row[r + 0] + 2] = s02;
+            sym[6 * row[r + 0] + 3] = s03;
+            sym[6 * row[r + 0] + 4] = s04;
+            sym[6 * row[r + 0] + 5] = s05;
+            sym[6 * row[r + 1] + 0] = s10;
+            sym[6 * row[r + 1] + 1] = s11;
+            sym[6 * row[r + 1] + 2] = s12;
+            sym[6 * row[r + 1] + 3] = s13;
+            sym[6 * row[r + 1] + 4] = s14;
+            sym[6 * row[r + 1] + 5] = s15;
+        }
+        for (int r = first_row[c] + count / 2 * 2; r < first_row[c + 1]; r++) {
+            hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 6 * p;
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s03 += H[0] * x[3];
+                    s04 += H[0] * x[4];
+                    s05 += H[0] * x[5];
+                    H += 1;
+                }
+            }
+            sym[6 * row[r + 0] + 0] = s00;
+            sym[6 * row[r + 0] + 1] = s01;
+            sym[6 * row[r + 0] + 2] = s02;
+            sym[6 * row[r + 0] + 3] = s03;
+            sym[6 * row[r + 0] + 4] = s04;
+            sym[6 * row[r + 0] + 5] = s05;
+        }
+    }
+    return H;
+}
+
+/* skew[row][3] = the rows' sums of coefficients H times columns
+ * X[PAIRS - COLUMNS][3]; returns the end of H */
+static const double *row_skew(const double *H, int symmetry, const hobe_real *X, hobe_real *skew)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_skew_row[c + 1] - first_skew_row[c];
+        for (int b = 0; b < count / 4; b++) {
+            const int r = first_skew_row[c] + 4 * b;
+            hobe_real s00 = zero, s01 = zero, s02 = zero;
+            hobe_real s10 = zero, s11 = zero, s12 = zero;
+            hobe_real s20 = zero, s21 = zero, s22 = zero;
+            hobe_real s30 = zero, s31 = zero, s32 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_cross[k]; p < first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - COLUMNS);
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s10 += H[1] * x[0];
+                    s11 += H[1] * x[1];
+                    s12 += H[1] * x[2];
+                    s20 += H[2] * x[0];
+                    s21 += H[2] * x[1];
+                    s22 += H[2] * x[2];
+                    s30 += H[3] * x[0];
+                    s31 += H[3] * x[1];
+                    s32 += H[3] * x[2];
+                    H += 4;
+                }
+            }
+            skew[3 * skew_row[r + 0] + 0] = s00;
+            skew[3 * skew_row[r + 0] + 1] = s01;
+            skew[3 * skew_row[r + 0] + 2] = s02;
+            skew[3 * skew_row[r + 1] + 0] = s10;
+            skew[3 * skew_row[r + 1] + 1] = s11;
+            skew[3 * skew_row[r + 1] + 2] = s12;
+            skew[3 * skew_row[r + 2] + 0] = s20;
+            skew[3 * skew_row[r + 2] + 1] = s21;
+            skew[3 * skew_row[r + 2] + 2] = s22;
+            skew[3 * skew_row[r + 3] + 0] = s30;
+            skew[3 * skew_row[r + 3] + 1] = s31;
+            skew[3 * skew_row[r + 3] + 2] = s32;
+        }
+        for (int r = first_skew_row[c] + count / 4 * 4; r < first_skew_row[c + 1]; r++) {
+            hobe_real s00 = zero, s01 = zero, s02 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_cross[k]; p < first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - COLUMNS);
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    H += 1;
+                }
+            }
+            skew[3 * skew_row[r + 0] + 0] = s00;
+            skew[3 * skew_row[r + 0] + 1] = s01;
+            skew[3 * skew_row[r + 0] + 2] = s02;
+        }
+    }
+    return H;
+}
+
+/* The current x[V][3] = q0 + u, its columns y, gamma, and Q[row]; returns the rest of H */
+static const double *tensor_state(const struct hobe_invariants *inv, const hobe_real *q0,
+                                  const hobe_real *u, hobe_real *x, hobe_real *y, hobe_real *gamma,
+                                  hobe_real *Q)
+{
+    hobe_real x0[3 * V], B[3 * COLUMNS];
+    gather(q0, x0);
+    gather(u, x);
+    /* gamma from the mean of before and after, and the change: no cancellation */
+    for (int i = 0; i < 3 * V; i++) {
+        x0[i] += 0.5 * x[i];
+    }
+    column_vectors(x0, B);
+    column_vectors(x, y);
+    column_differences(B, y, gamma);
+    for (int i = 0; i < 3 * V; i++) {
+        x[i] = x0[i] + 0.5 * x[i];
+    }
+    for (int i = 0; i < 3 * COLUMNS; i++) {
+        y[i] = B[i] + 0.5 * y[i];
+    }
+    const double *H;
+    H = row_stress(inv->tensor, inv->symmetry, gamma, Q);
+    for (int o = 0; o < IMAGES; o++) {
+        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
+        a[0] = sum;
+        b[0] = difference;
+    }
+    return H;
+}
+
+/* f_i = sum_j Q_ij x_j, where x_0 = 0; on positions they are in balance */
+static void tensor_force(const hobe_real *Q, const hobe_real *x, hobe_real *f)
+{
+    for (int a = 0; a < 3; a++) {
+        f[a * HOBE_PARTS] = zero;
+    }
+    for (int i = 1; i < V; i++) {
+        hobe_real sum[3] = {zero, zero, zero};
+        for (int j = 1; j < i; j++) {
+            for (int a = 0; a < 3; a++) {
+                sum[a] += Q[hobe_pair(i, j)] * x[3 * j + a];
+            }
+        }
+        for (int j = i; j < V; j++) {
+            for (int a = 0; a < 3; a++) {
+                sum[a] += Q[hobe_pair(j, i)] * x[3 * j + a];
+            }
+        }
+        for (int a = 0; a < 3; a++) {
+            f[(3 * i + a) * HOBE_PARTS] = sum[a];
+        }
+        if (position[i]) {
+            for (int a = 0; a < 3; a++) {
+                f[a * HOBE_PARTS] -= sum[a];
+            }
+        }
+    }
+}
+
+/* k[3][3] = sym + skew + Q 1 of a row */
+static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real *Q, hobe_real *k)
+{
+    k[0 * HOBE_PARTS] = s[0] + Q[0];
+    k[4 * HOBE_PARTS] = s[1] + Q[0];
+    k[8 * HOBE_PARTS] = s[2] + Q[0];
+    k[1 * HOBE_PARTS] = 0.5 * s[5] + r[2];
+    k[3 * HOBE_PARTS] = 0.5 * s[5] - r[2];
+    k[6 * HOBE_PARTS] = 0.5 * s[4] + r[1];
+    k[2 * HOBE_PARTS] = 0.5 * s[4] - r[1];
+    k[5 * HOBE_PARTS] = 0.5 * s[3] + r[0];
+    k[7 * HOBE_PARTS] = 0.5 * s[3] - r[0];
+}
+
+/* K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, those of images from their sum and difference */
+static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
+{
+    for (int o = 0; o < IMAGES; o++) {
+        const int m = image[2 * o];
+        const int n = image[2 * o + 1];
+        hobe_real s[6], r[3];
+        for (int e = 0; e < 6; e++) {
+            s[e] = sym[6 * m + e] + sym[6 * n + e];
+        }
+        for (int e = 0; e < 3; e++) {
+            r[e] = skew[3 * m + e] + skew[3 * n + e];
+        }
+        block(s, r, Q + m, K + 9 * HOBE_PARTS * m);
+        for (int e = 0; e < 6; e++) {
+            s[e] = sym[6 * m + e] - sym[6 * n + e];
+        }
+        for (int e = 0; e < 3; e++) {
+            r[e] = skew[3 * m + e] - skew[3 * n + e];
+        }
+        block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
+    }
+    for (int o = 0; o < ALONE; o++) {
+        const int m = alone[o];
+        block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
+    }
+}
+
+/* K_i0 = -K_in of two positions 0 and n = LAST */
+static void opposed_blocks(hobe_real *K)
+{
+    for (int i = 1; i < V; i++) {
+        hobe_real *to = K + 9 * HOBE_PARTS * hobe_pair(i, 0);
+        if (i < LAST) {
+            const hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(LAST, i);
+            for (int a = 0; a < 3; a++) {
+                for (int b = 0; b < 3; b++) {
+                    to[(3 * a + b) * HOBE_PARTS] = zero - k[(3 * b + a) * HOBE_PARTS];
+                }
+            }
+        }
+        if (i >= LAST) {
+            const hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(i, LAST);
+            for (int a = 0; a < 3; a++) {
+                for (int b = 0; b < 3; b++) {
+                    to[(3 * a + b) * HOBE_PARTS] = zero - k[(3 * a + b) * HOBE_PARTS];
+                }
+            }
+        }
+    }
+    for (int e = 0; e < 9; e++) {
+        K[e * HOBE_PARTS] = K[(9 * hobe_pair(LAST, LAST) + e) * HOBE_PARTS];
+    }
+}
+
+/* f = dU/dq, eq. 27, for one part of a batch */
+static void tensor_force_part(const struct hobe_invariants *inv, const hobe_real *q0,
+                              const hobe_real *u, hobe_real *f, hobe_real *scratch)
+{
+    hobe_real x[3 * V], y[3 * COLUMNS], *gamma = scratch, *Q = gamma + PAIRS;
+    tensor_state(inv, q0, u, x, y, gamma, Q);
+    tensor_force(Q, x, f);
+}
+
+/* f as in tensor_force_part and K = df/dq, eq. 28 */
+static void tensor_tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
+                                const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
+{
+    hobe_real x[3 * V], y[3 * COLUMNS];
+    hobe_real *X = scratch, *Z = X + 6 * PAIRS, *Q = Z + 3 * (PAIRS - COLUMNS);
+    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS;
+    const double *H;
+    H = tensor_state(inv, q0, u, x, y, X, Q);
+    tensor_force(Q, x, f);
+    products(y, X, Z);
+    H = row_symmetric(H, inv->symmetry, X, sym);
+    row_skew(H, inv->symmetry, Z, skew);
+    for (int i = OPPOSED; i < V; i++) {
+        for (int a = 0; a < 3; a++) {
+            skew[3 * hobe_pair(i, i) + a] = zero;
+        }
+    }
+    blocks(Q, sym, skew, K);
+    if (OPPOSED) {
+        opposed_blocks(K);
+    }
+}
+
 static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
                    hobe_lanes *U)
 {
@@ -955,20 +1752,41 @@ static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, cons
         energy_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)U + h);
 }
 
-static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
-                  hobe_lanes *f, hobe_lanes *scratch)
+static void section_wise_force(const struct hobe_invariants *inv, const hobe_lanes *q0,
+                               const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
 {
     (void)scratch;
     for (int h = 0; h < HOBE_PARTS; h++)
         force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h);
 }
 
-static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
-                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
+static void section_wise_tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
+                                 const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
+                                 hobe_lanes *scratch)
 {
     for (int h = 0; h < HOBE_PARTS; h++)
         tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h,
                      (hobe_real *)K + h, (hobe_real *)scratch);
+}
+
+static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                  hobe_lanes *f, hobe_lanes *scratch)
+{
+    if (!inv->tensor)
+        section_wise_force(inv, q0, u, f, scratch);
+    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
+        tensor_force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                          (hobe_real *)f + h, (hobe_real *)scratch);
+}
+
+static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
+{
+    if (!inv->tensor)
+        section_wise_tangent(inv, q0, u, f, K, scratch);
+    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
+        tensor_tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                            (hobe_real *)f + h, (hobe_real *)K + h, (hobe_real *)scratch);
 }
 
 static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
@@ -996,10 +1814,14 @@ static const char *const mode_name[M] = {
 static const char *const function_name[] = {
     "w", "wy", "wz", "ww", "v1y", "v1z", "v2y", "v2z",
 };
+static const struct hobe_tensor_size tensor_size[] = {
+    {464749, 4376761, 647142}, {241645, 2218297, 324582}, {241645, 2218297, 324582},
+    {131949, 1154169, 165510},
+};
 
 extern const struct hobe_kernel HOBE_KERNEL(MGD30d);
 const struct hobe_kernel HOBE_KERNEL(MGD30d) = {
-    .abi = 4,
+    .abi = 5,
     .name = "MGD30d",
     .hash = "72f46c85652a8bfe",
     .source = "this project: MGD30w3 whose section distorts in torsion",
@@ -1014,7 +1836,7 @@ const struct hobe_kernel HOBE_KERNEL(MGD30d) = {
     .shears = NS,
     .flops_force = 419652,
     .flops_tangent = 3411972,
-    .scratch = 2795,
+    .scratch = 12916,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,
@@ -1027,6 +1849,9 @@ const struct hobe_kernel HOBE_KERNEL(MGD30d) = {
     .force = force,
     .tangent = tangent,
     .trilinear = trilinear,
+    .tensor_size = tensor_size,
+    .symmetry = symmetry,
+    .tensor = tensor,
     .strain = strain,
     .warping_strain = warping_strain,
 };

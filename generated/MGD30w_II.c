@@ -8,10 +8,14 @@
  *     y@2 z@2 w@2 yy@2 yz@2 zz@2 yyy@2 yyz@2 yzz@2 zzz@2 1@3 1'@3 y@3 z@3 w@3 yy@3 yz@3 zz@3
  *     yyy@3 yyz@3 yzz@3 zzz@3
  * operations per element: force 299747, force and tangent 2457932, energy 286287
+ * as one tensor, section symmetric in neither: force 331978, force and tangent 3102430
+ * as one tensor, section symmetric in y: force 173358, force and tangent 1573650
+ * as one tensor, section symmetric in z: force 173358, force and tangent 1573650
+ * as one tensor, section symmetric in both: force 94086, force and tangent 809442
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 4
+#if HOBE_KERNEL_ABI != 5
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -455,6 +459,386 @@ static void warping_strain(const double *N, const double *Nx, const double (*phi
         for (int i = 0; i < S; i++)
             g[b][i] *= b > 0 && warps[i]; /* no gradient along x, no other modes */
     green_lagrange((const double(*)[S])g, (const double(*)[3])D0, (const double(*)[3])U, E);
+}
+
+/* ---- eqs. 27 and 28 as products with constant matrices (generator/tensor.py) ---- */
+
+enum {
+    COLUMNS = 33, /* sums and differences of nodal vectors */
+    PAIRS = 561,  /* of those */
+    BLOCKS = 595, /* of the tangent, pairs of nodal vectors: a row each */
+    IMAGES = 242, /* pairs of rows that are mirror images */
+    ALONE = 77,   /* rows that are their own */
+    CLASSES = 8,  /* of parities: 1 odd in x, 2 odd in y, 4 odd in z */
+    LAST = 22,    /* the last position */
+    OPPOSED = 1,  /* whether it is one of two: rows with the first are less those with it */
+};
+
+/* of each section vector: 1 odd in y, 2 odd in z */
+static const unsigned char parity[] = {
+    0, 1, 2, 3, 0, 3, 0, 1, 2, 1, 2, 1, 2, 3, 0, 3, 0, 1, 2, 1, 2,
+};
+/* of each nodal vector: its image about mid-length, in rows */
+static const short mirror_of[] = {
+    22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22,
+    1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+};
+/* of each column: q_left + sign q_right, less the last position where shifted; its
+ * function is share (N_left + sign N_right) */
+static const short left[] = {
+    0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9, 9, 10, 10, 11, 11, 12, 13, 14, 15, 16,
+    17, 18, 19, 20, 21,
+};
+static const short right[] = {
+    22, 23, 23, 24, 24, 25, 25, 26, 26, 27, 27, 28, 28, 29, 29, 30, 30, 31, 31, 32, 32, 33, 33,
+    12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
+};
+static const short shifted[] = {
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0, 0,
+};
+static const double sign[] = {
+    -1, -1, 1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, 1, 1, 1,
+    1, 1, 1, 1, 1, 1,
+};
+static const double share[] = {
+    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
+    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
+    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 4.0,
+    1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
+    1.0 / 4.0,
+};
+/* pairs of columns: those with t = v, then the others, by class */
+static const short pair_t[] = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24,
+    25, 26, 27, 28, 29, 30, 31, 32, 2, 9, 10, 10, 11, 12, 13, 13, 14, 14, 14, 15, 16, 17, 18,
+    19, 19, 20, 20, 21, 21, 22, 22, 23, 23, 23, 24, 24, 24, 25, 25, 26, 26, 26, 27, 27, 27, 28,
+    28, 28, 28, 29, 29, 29, 29, 30, 30, 30, 30, 31, 31, 31, 31, 31, 32, 32, 32, 32, 32, 1, 2, 4,
+    6, 8, 9, 9, 10, 10, 11, 12, 12, 13, 13, 13, 14, 14, 14, 15, 16, 16, 17, 18, 18, 19, 19, 20,
+    20, 20, 21, 21, 22, 22, 22, 23, 23, 23, 24, 24, 24, 25, 25, 26, 26, 26, 26, 27, 27, 28, 28,
+    28, 28, 29, 29, 29, 30, 30, 30, 31, 31, 31, 32, 32, 32, 3, 4, 4, 7, 8, 9, 10, 11, 12, 13,
+    14, 15, 15, 15, 16, 16, 16, 16, 17, 17, 18, 18, 19, 19, 19, 20, 20, 20, 20, 21, 21, 22, 22,
+    23, 23, 23, 24, 24, 25, 25, 25, 25, 26, 26, 26, 26, 27, 27, 27, 27, 28, 28, 28, 28, 29, 29,
+    29, 29, 29, 30, 30, 30, 30, 31, 31, 31, 31, 31, 32, 32, 32, 32, 3, 3, 4, 7, 8, 9, 10, 11,
+    12, 13, 14, 15, 15, 15, 15, 16, 16, 16, 17, 17, 18, 18, 19, 19, 19, 19, 20, 20, 20, 21, 21,
+    22, 22, 23, 23, 23, 23, 24, 24, 25, 25, 25, 26, 26, 26, 27, 27, 27, 28, 28, 28, 29, 29, 29,
+    29, 30, 30, 31, 31, 31, 31, 32, 32, 5, 6, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 15, 16, 16,
+    17, 17, 17, 18, 18, 18, 18, 19, 19, 20, 20, 21, 21, 21, 22, 22, 22, 22, 23, 23, 24, 24, 24,
+    25, 25, 25, 25, 26, 26, 26, 26, 27, 27, 27, 27, 28, 28, 28, 28, 29, 29, 29, 29, 30, 30, 30,
+    30, 30, 31, 31, 31, 31, 32, 32, 32, 32, 32, 5, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 15,
+    16, 16, 17, 17, 17, 17, 18, 18, 18, 19, 19, 20, 20, 21, 21, 21, 21, 22, 22, 22, 23, 23, 24,
+    24, 24, 24, 25, 25, 25, 26, 26, 26, 27, 27, 27, 28, 28, 28, 29, 29, 30, 30, 30, 30, 31, 31,
+    32, 32, 32, 32, 5, 6, 7, 8, 8, 9, 10, 11, 11, 12, 12, 12, 13, 13, 14, 14, 15, 16, 17, 17,
+    18, 18, 19, 19, 20, 20, 21, 21, 21, 22, 22, 22, 23, 23, 23, 24, 24, 24, 24, 25, 25, 25, 26,
+    26, 26, 27, 27, 27, 27, 28, 28, 28, 28, 29, 29, 29, 29, 30, 30, 30, 30, 30, 31, 31, 31, 31,
+    31, 32, 32, 32, 32, 32, 32, 5, 6, 7, 7, 8, 9, 10, 11, 11, 11, 12, 12, 13, 13, 14, 14, 15,
+    16, 17, 17, 18, 18, 19, 19, 20, 20, 21, 21, 21, 22, 22, 22, 23, 23, 23, 24, 24, 24, 25, 25,
+    25, 25, 26, 26, 27, 27, 27, 27, 28, 28, 29, 29, 29, 30, 30, 30, 31, 31, 31, 32, 32, 32,
+};
+static const short pair_v[] = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24,
+    25, 26, 27, 28, 29, 30, 31, 32, 0, 1, 0, 2, 7, 8, 1, 9, 0, 2, 10, 3, 4, 5, 6, 3, 15, 4, 16,
+    5, 17, 6, 18, 3, 15, 19, 5, 17, 21, 7, 11, 1, 9, 13, 7, 11, 25, 1, 9, 13, 26, 3, 15, 19, 23,
+    5, 17, 21, 24, 3, 15, 19, 23, 29, 5, 17, 21, 24, 30, 0, 1, 3, 5, 7, 0, 2, 1, 9, 8, 7, 11, 0,
+    2, 10, 1, 9, 13, 4, 3, 15, 6, 5, 17, 4, 16, 3, 15, 19, 6, 18, 5, 17, 21, 4, 16, 20, 6, 18,
+    22, 8, 12, 0, 2, 10, 14, 8, 12, 0, 2, 10, 14, 4, 16, 20, 6, 18, 22, 4, 16, 20, 6, 18, 22, 1,
+    0, 2, 5, 6, 3, 4, 5, 6, 3, 4, 1, 9, 13, 0, 2, 10, 14, 7, 11, 8, 12, 1, 9, 13, 0, 2, 10, 14,
+    7, 11, 8, 12, 1, 9, 13, 7, 11, 5, 17, 21, 24, 3, 15, 19, 23, 5, 17, 21, 24, 3, 15, 19, 23,
+    1, 9, 13, 26, 28, 7, 11, 25, 27, 1, 9, 13, 26, 28, 7, 11, 25, 27, 0, 2, 1, 6, 5, 4, 3, 6, 5,
+    4, 3, 0, 2, 10, 14, 1, 9, 13, 8, 12, 7, 11, 0, 2, 10, 14, 1, 9, 13, 8, 12, 7, 11, 0, 2, 10,
+    14, 8, 12, 6, 18, 22, 4, 16, 20, 6, 18, 22, 4, 16, 20, 0, 2, 10, 14, 8, 12, 0, 2, 10, 14, 8,
+    12, 1, 0, 2, 3, 4, 5, 6, 3, 4, 5, 6, 7, 11, 8, 12, 1, 9, 13, 0, 2, 10, 14, 7, 11, 8, 12, 1,
+    9, 13, 0, 2, 10, 14, 7, 11, 1, 9, 13, 3, 15, 19, 23, 5, 17, 21, 24, 3, 15, 19, 23, 5, 17,
+    21, 24, 7, 11, 25, 27, 1, 9, 13, 26, 28, 7, 11, 25, 27, 1, 9, 13, 26, 28, 0, 2, 1, 4, 3, 6,
+    5, 4, 3, 6, 5, 8, 12, 7, 11, 0, 2, 10, 14, 1, 9, 13, 8, 12, 7, 11, 0, 2, 10, 14, 1, 9, 13,
+    8, 12, 0, 2, 10, 14, 4, 16, 20, 6, 18, 22, 4, 16, 20, 6, 18, 22, 8, 12, 0, 2, 10, 14, 8, 12,
+    0, 2, 10, 14, 3, 4, 1, 0, 2, 7, 8, 1, 9, 0, 2, 10, 7, 11, 8, 12, 5, 6, 3, 15, 4, 16, 5, 17,
+    6, 18, 3, 15, 19, 4, 16, 20, 5, 17, 21, 3, 15, 19, 23, 1, 9, 13, 7, 11, 25, 1, 9, 13, 26, 7,
+    11, 25, 27, 5, 17, 21, 24, 3, 15, 19, 23, 29, 5, 17, 21, 24, 30, 3, 15, 19, 23, 29, 31, 4,
+    3, 0, 2, 1, 8, 7, 0, 2, 10, 1, 9, 8, 12, 7, 11, 6, 5, 4, 16, 3, 15, 6, 18, 5, 17, 4, 16, 20,
+    3, 15, 19, 6, 18, 22, 4, 16, 20, 0, 2, 10, 14, 8, 12, 0, 2, 10, 14, 8, 12, 6, 18, 22, 4, 16,
+    20, 6, 18, 22, 4, 16, 20,
+};
+static const short first_pair[] = {
+    0, 92, 156, 228, 291, 363, 426, 499, 561,
+};
+static const short first_cross[] = {
+    33, 92, 156, 228, 291, 363, 426, 499, 561,
+};
+/* rows of Q and of the symmetric part, by class */
+static const short row[] = {
+    2, 5, 9, 14, 20, 25, 27, 33, 35, 38, 44, 48, 54, 57, 63, 65, 69, 75, 77, 80, 86, 88, 90, 94,
+    100, 102, 104, 109, 111, 119, 125, 127, 135, 140, 142, 150, 152, 158, 160, 168, 170, 173,
+    179, 181, 183, 189, 193, 199, 201, 203, 209, 212, 218, 220, 222, 228, 230, 234, 240, 242,
+    244, 250, 252, 254, 275, 277, 291, 293, 302, 308, 310, 328, 334, 336, 355, 357, 379, 383,
+    385, 400, 401, 412, 436, 442, 457, 458, 473, 475, 505, 507, 538, 572, 16, 29, 121, 154, 258,
+    260, 268, 270, 281, 283, 298, 299, 312, 318, 320, 324, 338, 344, 346, 350, 365, 367, 377,
+    393, 395, 405, 410, 420, 422, 432, 434, 440, 450, 452, 462, 464, 467, 477, 483, 485, 489,
+    495, 499, 509, 515, 517, 521, 527, 530, 536, 540, 546, 548, 552, 558, 560, 564, 570, 574,
+    580, 582, 586, 592, 594, 13, 17, 24, 30, 41, 43, 49, 51, 60, 62, 70, 72, 83, 85, 95, 97,
+    108, 114, 116, 118, 122, 128, 130, 132, 139, 145, 147, 149, 155, 161, 163, 165, 176, 178,
+    186, 188, 194, 196, 204, 206, 215, 217, 225, 227, 235, 237, 245, 247, 288, 294, 296, 301,
+    305, 307, 322, 323, 329, 331, 360, 362, 386, 388, 415, 417, 443, 445, 466, 487, 488, 529,
+    550, 551, 4, 37, 56, 79, 172, 211, 255, 261, 263, 265, 271, 273, 278, 284, 286, 315, 317,
+    339, 341, 354, 364, 370, 372, 376, 380, 390, 396, 398, 402, 409, 419, 425, 427, 431, 437,
+    447, 453, 455, 459, 470, 472, 480, 482, 492, 494, 500, 502, 510, 512, 522, 524, 533, 535,
+    543, 545, 555, 557, 565, 567, 575, 577, 587, 589, 12, 18, 23, 31, 40, 42, 50, 52, 59, 61,
+    71, 73, 82, 84, 96, 98, 107, 113, 115, 117, 123, 129, 131, 133, 138, 144, 146, 148, 156,
+    162, 164, 166, 175, 177, 185, 187, 195, 197, 205, 207, 214, 216, 224, 226, 236, 238, 246,
+    248, 289, 295, 297, 304, 306, 326, 330, 332, 347, 348, 359, 361, 387, 389, 414, 416, 444,
+    446, 497, 518, 519, 562, 583, 584, 7, 46, 67, 92, 191, 232, 256, 262, 264, 266, 272, 274,
+    279, 285, 287, 314, 316, 340, 342, 353, 363, 369, 371, 375, 381, 391, 397, 399, 403, 408,
+    418, 424, 426, 430, 438, 448, 454, 456, 460, 469, 471, 479, 481, 491, 493, 501, 503, 511,
+    513, 523, 525, 532, 534, 542, 544, 554, 556, 566, 568, 576, 578, 588, 590, 8, 19, 26, 32,
+    34, 39, 47, 53, 58, 64, 68, 74, 76, 81, 87, 89, 93, 99, 101, 103, 110, 112, 124, 126, 134,
+    141, 143, 151, 157, 159, 167, 169, 174, 180, 182, 184, 192, 198, 200, 202, 208, 213, 219,
+    221, 223, 229, 233, 239, 241, 243, 249, 251, 290, 292, 303, 309, 311, 333, 335, 352, 356,
+    358, 373, 374, 384, 407, 413, 428, 429, 474, 476, 506, 539, 11, 22, 106, 137, 257, 259, 267,
+    269, 280, 282, 313, 319, 321, 327, 337, 343, 345, 349, 366, 368, 382, 392, 394, 404, 411,
+    421, 423, 433, 439, 441, 449, 451, 461, 463, 468, 478, 484, 486, 490, 498, 504, 508, 514,
+    516, 520, 526, 531, 537, 541, 547, 549, 553, 559, 563, 569, 571, 573, 579, 581, 585, 591,
+    593,
+};
+static const short first_row[] = {
+    0, 92, 156, 228, 291, 363, 426, 499, 561,
+};
+/* rows of the skew part, by class */
+static const short skew_row[] = {
+    25, 33, 38, 48, 57, 63, 69, 75, 121, 150, 154, 168, 183, 203, 222, 228, 244, 250, 258, 260,
+    281, 283, 298, 312, 318, 320, 338, 344, 346, 365, 367, 393, 395, 401, 410, 420, 422, 440,
+    450, 452, 458, 467, 477, 483, 485, 499, 509, 515, 517, 530, 536, 540, 546, 548, 564, 570,
+    574, 580, 582, 16, 29, 80, 86, 88, 94, 100, 102, 109, 111, 125, 127, 140, 142, 158, 160,
+    173, 179, 181, 193, 199, 201, 212, 218, 220, 234, 240, 242, 254, 268, 270, 277, 291, 293,
+    302, 308, 310, 328, 334, 336, 355, 357, 379, 383, 385, 400, 412, 432, 436, 442, 457, 462,
+    473, 475, 489, 505, 507, 521, 538, 552, 558, 572, 586, 592, 13, 17, 24, 30, 41, 43, 49, 51,
+    60, 62, 70, 72, 79, 118, 132, 149, 165, 172, 186, 188, 204, 206, 211, 225, 227, 245, 247,
+    255, 261, 263, 278, 284, 286, 315, 317, 323, 339, 341, 354, 364, 370, 372, 380, 390, 396,
+    398, 409, 419, 425, 427, 437, 447, 453, 455, 470, 472, 480, 482, 488, 500, 502, 510, 512,
+    533, 535, 543, 545, 551, 565, 567, 575, 577, 4, 37, 56, 83, 85, 95, 97, 108, 114, 116, 122,
+    128, 130, 139, 145, 147, 155, 161, 163, 176, 178, 194, 196, 215, 217, 235, 237, 265, 271,
+    273, 288, 294, 296, 301, 305, 307, 322, 329, 331, 360, 362, 376, 386, 388, 402, 415, 417,
+    431, 443, 445, 459, 466, 487, 492, 494, 522, 524, 529, 550, 555, 557, 587, 589, 12, 18, 23,
+    31, 40, 42, 50, 52, 59, 61, 71, 73, 92, 117, 133, 148, 166, 185, 187, 191, 205, 207, 224,
+    226, 232, 246, 248, 256, 262, 264, 279, 285, 287, 314, 316, 340, 342, 348, 353, 363, 369,
+    371, 381, 391, 397, 399, 408, 418, 424, 426, 438, 448, 454, 456, 469, 471, 479, 481, 501,
+    503, 511, 513, 519, 532, 534, 542, 544, 566, 568, 576, 578, 584, 7, 46, 67, 82, 84, 96, 98,
+    107, 113, 115, 123, 129, 131, 138, 144, 146, 156, 162, 164, 175, 177, 195, 197, 214, 216,
+    236, 238, 266, 272, 274, 289, 295, 297, 304, 306, 326, 330, 332, 347, 359, 361, 375, 387,
+    389, 403, 414, 416, 430, 444, 446, 460, 491, 493, 497, 518, 523, 525, 554, 556, 562, 583,
+    588, 590, 8, 19, 26, 32, 34, 39, 47, 53, 58, 64, 68, 74, 76, 103, 106, 134, 137, 151, 167,
+    169, 184, 202, 208, 223, 229, 243, 249, 251, 257, 259, 280, 282, 313, 319, 321, 327, 337,
+    343, 345, 366, 368, 374, 382, 392, 394, 411, 421, 423, 429, 439, 441, 449, 451, 468, 478,
+    484, 486, 498, 504, 508, 514, 516, 531, 537, 541, 547, 549, 563, 569, 571, 573, 579, 581,
+    11, 22, 81, 87, 89, 93, 99, 101, 110, 112, 124, 126, 141, 143, 157, 159, 174, 180, 182, 192,
+    198, 200, 213, 219, 221, 233, 239, 241, 267, 269, 290, 292, 303, 309, 311, 333, 335, 349,
+    352, 356, 358, 373, 384, 404, 407, 413, 428, 433, 461, 463, 474, 476, 490, 506, 520, 526,
+    539, 553, 559, 585, 591, 593,
+};
+static const short first_skew_row[] = {
+    0, 59, 123, 195, 258, 330, 393, 466, 528,
+};
+/* by the section's symmetry: how many classes a row meets, and its own class times which */
+static const short merged[] = {
+    4, 2, 2, 1,
+};
+static const short merged_with[] = {
+    0, 2, 4, 6, 0, 4, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0,
+};
+/* pairs of rows that are images, and rows that are their own */
+static const short image[] = {
+    2, 299, 4, 323, 5, 324, 7, 348, 8, 349, 9, 350, 11, 374, 12, 375, 13, 376, 14, 377, 16, 401,
+    17, 402, 18, 403, 19, 404, 20, 405, 22, 429, 23, 430, 24, 431, 25, 432, 26, 433, 27, 434,
+    29, 458, 30, 459, 31, 460, 32, 461, 33, 462, 34, 463, 35, 464, 37, 488, 38, 489, 39, 490,
+    40, 491, 41, 492, 42, 493, 43, 494, 44, 495, 46, 519, 47, 520, 48, 521, 49, 522, 50, 523,
+    51, 524, 52, 525, 53, 526, 54, 527, 56, 551, 57, 552, 58, 553, 59, 554, 60, 555, 61, 556,
+    62, 557, 63, 558, 64, 559, 65, 560, 67, 584, 68, 585, 69, 586, 70, 587, 71, 588, 72, 589,
+    73, 590, 74, 591, 75, 592, 76, 593, 77, 594, 79, 288, 80, 312, 81, 337, 82, 363, 83, 390,
+    84, 418, 85, 447, 86, 477, 87, 508, 88, 540, 89, 573, 92, 289, 93, 313, 94, 338, 95, 364,
+    96, 391, 97, 419, 98, 448, 99, 478, 100, 509, 101, 541, 102, 574, 106, 290, 107, 314, 108,
+    339, 109, 365, 110, 392, 111, 420, 112, 449, 113, 479, 114, 510, 115, 542, 116, 575, 121,
+    291, 122, 315, 123, 340, 124, 366, 125, 393, 126, 421, 127, 450, 128, 480, 129, 511, 130,
+    543, 131, 576, 137, 292, 138, 316, 139, 341, 140, 367, 141, 394, 142, 422, 143, 451, 144,
+    481, 145, 512, 146, 544, 147, 577, 154, 293, 155, 317, 156, 342, 157, 368, 158, 395, 159,
+    423, 160, 452, 161, 482, 162, 513, 163, 545, 164, 578, 172, 294, 173, 318, 174, 343, 175,
+    369, 176, 396, 177, 424, 178, 453, 179, 483, 180, 514, 181, 546, 182, 579, 191, 295, 192,
+    319, 193, 344, 194, 370, 195, 397, 196, 425, 197, 454, 198, 484, 199, 515, 200, 547, 201,
+    580, 211, 296, 212, 320, 213, 345, 214, 371, 215, 398, 216, 426, 217, 455, 218, 485, 219,
+    516, 220, 548, 221, 581, 232, 297, 233, 321, 234, 346, 235, 372, 236, 399, 237, 427, 238,
+    456, 239, 486, 240, 517, 241, 549, 242, 582, 254, 298, 255, 322, 256, 347, 257, 373, 258,
+    400, 259, 428, 260, 457, 261, 487, 262, 518, 263, 550, 264, 583, 278, 301, 279, 326, 280,
+    352, 281, 379, 282, 407, 283, 436, 284, 466, 285, 497, 286, 529, 287, 562, 303, 327, 304,
+    353, 305, 380, 306, 408, 307, 437, 308, 467, 309, 498, 310, 530, 311, 563, 329, 354, 330,
+    381, 331, 409, 332, 438, 333, 468, 334, 499, 335, 531, 336, 564, 356, 382, 357, 410, 358,
+    439, 359, 469, 360, 500, 361, 532, 362, 565, 384, 411, 385, 440, 386, 470, 387, 501, 388,
+    533, 389, 566, 413, 441, 414, 471, 415, 502, 416, 534, 417, 567, 443, 472, 444, 503, 445,
+    535, 446, 568, 474, 504, 475, 536, 476, 569, 506, 537, 507, 570, 539, 571,
+};
+static const short alone[] = {
+    90, 103, 104, 117, 118, 119, 132, 133, 134, 135, 148, 149, 150, 151, 152, 165, 166, 167,
+    168, 169, 170, 183, 184, 185, 186, 187, 188, 189, 202, 203, 204, 205, 206, 207, 208, 209,
+    222, 223, 224, 225, 226, 227, 228, 229, 230, 243, 244, 245, 246, 247, 248, 249, 250, 251,
+    252, 265, 266, 267, 268, 269, 270, 271, 272, 273, 274, 275, 277, 302, 328, 355, 383, 412,
+    442, 473, 505, 538, 572,
+};
+
+/* Which parities the section keeps apart (kernel.h): of the entries of Q that are odd in y, or in
+ * z, none may be more than rounding. */
+static int symmetry(const struct hobe_invariants *inv)
+{
+    const double rounding = 1e-13;
+    double size[NN + NS];
+    int odd[NN + NS], kept = 3;
+    for (int i = 0; i < S; i++)
+        for (int k = 0; k <= i; k++) {
+            const int r = gram_entry(k, i), s = r - NN;
+            const int ii = gram_entry(i, i), kk = gram_entry(k, k);
+            odd[r] = parity[i] ^ parity[k];
+            size[r] = __builtin_fabs(s < 0 ? inv->Qn[r * NN + r] : inv->Qs[s * NS + s]);
+            if (s < 0) /* its own may vanish: of warping functions the law may know means alone */
+                size[r] += __builtin_sqrt(
+                    __builtin_fabs(inv->Qn[ii * NN + ii] * inv->Qn[kk * NN + kk]));
+        }
+    for (int block = 0; block < 2; block++) {
+        const int n = block ? NS : NN, first = block * NN;
+        const double *Q = block ? inv->Qs : inv->Qn;
+        for (int r = 0; r < n; r++)
+            for (int c = 0; c < r; c++) {
+                const double q = Q[r * n + c] / rounding;
+                if (q * q > size[first + r] * size[first + c])
+                    kept &= ~(odd[first + r] ^ odd[first + c]);
+            }
+    }
+    return kept;
+}
+
+/* a[16] = int of the axial functions of vectors i, j and columns t, v (e = 0..3) over the length:
+ * bit e of the index says whether it is the function itself or its derivative. */
+static void axial_integrals(const struct hobe_invariants *inv, int i, int j, int t, int v,
+                            double a[16])
+{
+    clear(a, 16);
+    for (int g = 0; g < inv->stations; g++) {
+        const double *F[2] = {inv->Nx + V * g, inv->N + V * g};
+        double rows[4], columns[4];
+        for (int n = 0; n < 4; n++) {
+            const double *f = F[n & 1], *h = F[n >> 1];
+            rows[n] = inv->wx[g] * f[i] * h[j];
+            columns[n] = share[t] * (f[left[t]] + sign[t] * f[right[t]]) * share[v] *
+                         (h[left[v]] + sign[v] * h[right[v]]);
+        }
+        for (int n = 0; n < 16; n++)
+            a[n] += rows[n & 3] * columns[n >> 2];
+    }
+}
+
+/* The entry of A whose indices are those of a in the given order, modes k[4]: the sum over the
+ * section vectors that they are d_k' or d_k of. */
+static double tensor_entry(const struct hobe_invariants *inv, const double a[16], const int k[4],
+                           const int order[4])
+{
+    double sum = 0.0;
+    int normal[2][2], shear[2][2]; /* Gram entries of both pairs: both primed or none, or one */
+    for (int h = 0; h < 2; h++) {
+        const int p = k[order[2 * h]], q = k[order[2 * h + 1]];
+        normal[h][0] = symmetric(p, q);
+        normal[h][1] = p && q ? NA + symmetric(p - 1, q - 1) : -1;
+        shear[h][0] = q ? p * (M - 1) + q - 1 : -1;
+        shear[h][1] = p ? q * (M - 1) + p - 1 : -1;
+    }
+    for (int n = 0; n < 4; n++) {
+        const int x = n & 1, y = n >> 1, both = x << order[0] | x << order[1];
+        const int *N = normal[0], *G = shear[0];
+        if (N[x] >= 0 && normal[1][y] >= 0)
+            sum += a[both | y << order[2] | y << order[3]] * inv->Qn[N[x] * NN + normal[1][y]];
+        if (G[x] >= 0 && shear[1][y] >= 0)
+            sum += a[1 << order[1 - x] | 1 << order[3 - y]] * inv->Qs[G[x] * NS + shear[1][y]];
+    }
+    return sum;
+}
+
+/* The coefficients c[3] of Q, of the symmetric and of the skew part, of the pair of columns p in
+ * the row of vectors i, j. */
+static void coefficients(const struct hobe_invariants *inv, int i, int j, int p, double c[3])
+{
+    static const int order[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
+    const int t = pair_t[p], v = pair_v[p];
+    const int k[4] = {mode[i], mode[j], mode[left[t]], mode[left[v]]};
+    double a[16];
+    axial_integrals(inv, i, j, t, v, a);
+    for (int n = 0; n < 3; n++)
+        c[n] = tensor_entry(inv, a, k, order[n]);
+    const double first = c[1], second = t == v ? 0.0 : c[2];
+    c[1] = first + second;
+    c[2] = 0.5 * (first - second);
+}
+
+/* The vectors i >= j of a row, or of its mirror image if that comes first: both are parts of that
+ * one's. */
+static void row_vectors(int r, int *i, int *j)
+{
+    for (int n = 0; n < 2; n++) {
+        for (*i = 0; hobe_pair(*i + 1, 0) <= r; ++*i)
+            ;
+        *j = r - hobe_pair(*i, 0);
+        const int other = symmetric(mirror_of[*i], mirror_of[*j]);
+        r = other < r ? other : r;
+    }
+}
+
+/* The place, among the coefficients of a class of rows, of the one of row r and column p where sums
+ * are taken over `height` rows at a time. */
+static int place(int rows, int columns, int height, int r, int p)
+{
+    const int together = r < rows / height * height ? height : 1;
+    return (r - r % together) * columns + p * together + r % together;
+}
+
+/* How many columns meet the rows of class c; their numbers to pair[], unless that is NULL. */
+static int meets(const struct hobe_invariants *inv, int c, const short *first, int *pair)
+{
+    int count = 0;
+    for (int m = 0; m < merged[inv->symmetry]; m++) {
+        const int k = c ^ merged_with[4 * inv->symmetry + m];
+        for (int p = first[k]; p < first[k + 1]; p++, count++)
+            if (pair)
+                pair[count] = p;
+    }
+    return count;
+}
+
+/* The coefficients of the rows of class c: of sums first <= s < last to H[s], which move on. */
+static void row_coefficients(const struct hobe_invariants *inv, int c, int first, int last,
+                             double *H[3])
+{
+    static const int height[3] = {4, 2, 4};
+    const short *of = first == 2 ? skew_row : row, *start = first == 2 ? first_skew_row : first_row;
+    const int rows = start[c + 1] - start[c];
+    int pair[PAIRS];
+    const int columns = meets(inv, c, first == 2 ? first_cross : first_pair, pair);
+    for (int r = 0; r < rows; r++) {
+        int i, j;
+        row_vectors(of[start[c] + r], &i, &j);
+        for (int p = 0; p < columns; p++) {
+            double value[3];
+            coefficients(inv, i, j, pair[p], value);
+            for (int s = first; s < last; s++)
+                H[s][place(rows, columns, height[s], r, p)] = value[s];
+        }
+    }
+    for (int s = first; s < last; s++)
+        H[s] += rows * columns;
+}
+
+static void tensor(const struct hobe_invariants *inv)
+{
+    int count = 0;
+    for (int c = 0; c < CLASSES; c++)
+        count += (first_row[c + 1] - first_row[c]) * meets(inv, c, first_pair, NULL);
+    double *H[3] = {inv->tensor, inv->tensor + count, inv->tensor + 2 * count};
+    for (int c = 0; c < CLASSES; c++) {
+        row_coefficients(inv, c, 0, 2, H); /* of Q and of the symmetric part */
+        row_coefficients(inv, c, 2, 3, H); /* of the skew part */
+    }
 }
 
 /* D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0) */
@@ -944,6 +1328,395 @@ static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
     }
 }
 
+/* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
+static void column_vectors(const hobe_real *x, hobe_real *y)
+{
+    for (int t = 0; t < COLUMNS; t++) {
+        for (int a = 0; a < 3; a++) {
+            y[3 * t + a] = x[3 * left[t] + a] + sign[t] * x[3 * right[t] + a];
+        }
+        if (shifted[t]) {
+            for (int a = 0; a < 3; a++) {
+                y[3 * t + a] -= x[3 * LAST + a];
+            }
+        }
+    }
+}
+
+/* gamma_tv = B_t.C_v + C_t.B_v, gamma_tt = B_t.C_t: Gram differences as in `differences` */
+static void column_differences(const hobe_real *B, const hobe_real *C, hobe_real *gamma)
+{
+    for (int p = 0; p < COLUMNS; p++) {
+        gamma[p] = dot(B + 3 * pair_t[p], C + 3 * pair_t[p]);
+    }
+    for (int p = COLUMNS; p < PAIRS; p++) {
+        const hobe_real *Bt = B + 3 * pair_t[p], *Ct = C + 3 * pair_t[p];
+        gamma[p] = dot(Bt, C + 3 * pair_v[p]) + dot(Ct, B + 3 * pair_v[p]);
+    }
+}
+
+/* X[PAIRS][6]: xx, yy, zz, 2yz, 2xz, 2xy of y_t with y_v; Z[PAIRS - COLUMNS][3] = y_t x y_v */
+static void products(const hobe_real *y, hobe_real *X, hobe_real *Z)
+{
+    for (int p = 0; p < PAIRS; p++) {
+        const hobe_real *t = y + 3 * pair_t[p], *v = y + 3 * pair_v[p];
+        const hobe_real t0 = t[0], t1 = t[1], t2 = t[2], v0 = v[0], v1 = v[1], v2 = v[2];
+        hobe_real *to = X + 6 * p;
+        to[0] = t0 * v0;
+        to[1] = t1 * v1;
+        to[2] = t2 * v2;
+        to[3] = t1 * v2 + t2 * v1;
+        to[4] = t2 * v0 + t0 * v2;
+        to[5] = t0 * v1 + t1 * v0;
+        if (p >= COLUMNS) {
+            hobe_real *cross = Z + 3 * (p - COLUMNS);
+            cross[0] = t1 * v2 - t2 * v1;
+            cross[1] = t2 * v0 - t0 * v2;
+            cross[2] = t0 * v1 - t1 * v0;
+        }
+    }
+}
+
+/* Q[row][1] = the rows' sums of coefficients H times columns
+ * X[PAIRS][1]; returns the end of H */
+static const double *row_stress(const double *H, int symmetry, const hobe_real *X, hobe_real *Q)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_row[c + 1] - first_row[c];
+        for (int b = 0; b < count / 4; b++) {
+            const int r = first_row[c] + 4 * b;
+            hobe_real s00 = zero;
+            hobe_real s10 = zero;
+            hobe_real s20 = zero;
+            hobe_real s30 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 1 * p;
+                    s00 += H[0] * x[0];
+                    s10 += H[1] * x[0];
+                    s20 += H[2] * x[0];
+                    s30 += H[3] * x[0];
+                    H += 4;
+                }
+            }
+            Q[1 * row[r + 0] + 0] = s00;
+            Q[1 * row[r + 1] + 0] = s10;
+            Q[1 * row[r + 2] + 0] = s20;
+            Q[1 * row[r + 3] + 0] = s30;
+        }
+        for (int r = first_row[c] + count / 4 * 4; r < first_row[c + 1]; r++) {
+            hobe_real s00 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 1 * p;
+                    s00 += H[0] * x[0];
+                    H += 1;
+                }
+            }
+            Q[1 * row[r + 0] + 0] = s00;
+        }
+    }
+    return H;
+}
+
+/* sym[row][6] = the rows' sums of coefficients H times columns
+ * X[PAIRS][6]; returns the end of H */
+static const double *row_symmetric(const double *H, int symmetry, const hobe_real *X,
+                                   hobe_real *sym)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_row[c + 1] - first_row[c];
+        for (int b = 0; b < count / 2; b++) {
+            const int r = first_row[c] + 2 * b;
+            hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
+            hobe_real s10 = zero, s11 = zero, s12 = zero, s13 = zero, s14 = zero, s15 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 6 * p;
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s03 += H[0] * x[3];
+                    s04 += H[0] * x[4];
+                    s05 += H[0] * x[5];
+                    s10 += H[1] * x[0];
+                    s11 += H[1] * x[1];
+                    s12 += H[1] * x[2];
+                    s13 += H[1] * x[3];
+                    s14 += H[1] * x[4];
+                    s15 += H[1] * x[5];
+                    H += 2;
+                }
+            }
+            sym[6 * row[r + 0] + 0] = s00;
+            sym[6 * row[r + 0] + 1] = s01;
+            sym[6 * row[r + 0] + 2] = s02;
+            sym[6 * row[r + 0] + 3] = s03;
+            sym[6 * row[r + 0] + 4] = s04;
+            sym[6 * row[r + 0] + 5] = s05;
+            sym[6 * row[r + 1] + 0] = s10;
+            sym[6 * row[r + 1] + 1] = s11;
+            sym[6 * row[r + 1] + 2] = s12;
+            sym[6 * row[r + 1] + 3] = s13;
+            sym[6 * row[r + 1] + 4] = s14;
+            sym[6 * row[r + 1] + 5] = s15;
+        }
+        for (int r = first_row[c] + count / 2 * 2; r < first_row[c + 1]; r++) {
+            hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 6 * p;
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s03 += H[0] * x[3];
+                    s04 += H[0] * x[4];
+                    s05 += H[0] * x[5];
+                    H += 1;
+                }
+            }
+            sym[6 * row[r + 0] + 0] = s00;
+            sym[6 * row[r + 0] + 1] = s01;
+            sym[6 * row[r + 0] + 2] = s02;
+            sym[6 * row[r + 0] + 3] = s03;
+            sym[6 * row[r + 0] + 4] = s04;
+            sym[6 * row[r + 0] + 5] = s05;
+        }
+    }
+    return H;
+}
+
+/* skew[row][3] = the rows' sums of coefficients H times columns
+ * X[PAIRS - COLUMNS][3]; returns the end of H */
+static const double *row_skew(const double *H, int symmetry, const hobe_real *X, hobe_real *skew)
+{
+    for (int c = 0; c < CLASSES; c++) {
+        const int count = first_skew_row[c + 1] - first_skew_row[c];
+        for (int b = 0; b < count / 4; b++) {
+            const int r = first_skew_row[c] + 4 * b;
+            hobe_real s00 = zero, s01 = zero, s02 = zero;
+            hobe_real s10 = zero, s11 = zero, s12 = zero;
+            hobe_real s20 = zero, s21 = zero, s22 = zero;
+            hobe_real s30 = zero, s31 = zero, s32 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_cross[k]; p < first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - COLUMNS);
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s10 += H[1] * x[0];
+                    s11 += H[1] * x[1];
+                    s12 += H[1] * x[2];
+                    s20 += H[2] * x[0];
+                    s21 += H[2] * x[1];
+                    s22 += H[2] * x[2];
+                    s30 += H[3] * x[0];
+                    s31 += H[3] * x[1];
+                    s32 += H[3] * x[2];
+                    H += 4;
+                }
+            }
+            skew[3 * skew_row[r + 0] + 0] = s00;
+            skew[3 * skew_row[r + 0] + 1] = s01;
+            skew[3 * skew_row[r + 0] + 2] = s02;
+            skew[3 * skew_row[r + 1] + 0] = s10;
+            skew[3 * skew_row[r + 1] + 1] = s11;
+            skew[3 * skew_row[r + 1] + 2] = s12;
+            skew[3 * skew_row[r + 2] + 0] = s20;
+            skew[3 * skew_row[r + 2] + 1] = s21;
+            skew[3 * skew_row[r + 2] + 2] = s22;
+            skew[3 * skew_row[r + 3] + 0] = s30;
+            skew[3 * skew_row[r + 3] + 1] = s31;
+            skew[3 * skew_row[r + 3] + 2] = s32;
+        }
+        for (int r = first_skew_row[c] + count / 4 * 4; r < first_skew_row[c + 1]; r++) {
+            hobe_real s00 = zero, s01 = zero, s02 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[4 * symmetry + m];
+                for (int p = first_cross[k]; p < first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - COLUMNS);
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    H += 1;
+                }
+            }
+            skew[3 * skew_row[r + 0] + 0] = s00;
+            skew[3 * skew_row[r + 0] + 1] = s01;
+            skew[3 * skew_row[r + 0] + 2] = s02;
+        }
+    }
+    return H;
+}
+
+/* The current x[V][3] = q0 + u, its columns y, gamma, and Q[row]; returns the rest of H */
+static const double *tensor_state(const struct hobe_invariants *inv, const hobe_real *q0,
+                                  const hobe_real *u, hobe_real *x, hobe_real *y, hobe_real *gamma,
+                                  hobe_real *Q)
+{
+    hobe_real x0[3 * V], B[3 * COLUMNS];
+    gather(q0, x0);
+    gather(u, x);
+    /* gamma from the mean of before and after, and the change: no cancellation */
+    for (int i = 0; i < 3 * V; i++) {
+        x0[i] += 0.5 * x[i];
+    }
+    column_vectors(x0, B);
+    column_vectors(x, y);
+    column_differences(B, y, gamma);
+    for (int i = 0; i < 3 * V; i++) {
+        x[i] = x0[i] + 0.5 * x[i];
+    }
+    for (int i = 0; i < 3 * COLUMNS; i++) {
+        y[i] = B[i] + 0.5 * y[i];
+    }
+    const double *H;
+    H = row_stress(inv->tensor, inv->symmetry, gamma, Q);
+    for (int o = 0; o < IMAGES; o++) {
+        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
+        a[0] = sum;
+        b[0] = difference;
+    }
+    return H;
+}
+
+/* f_i = sum_j Q_ij x_j, where x_0 = 0; on positions they are in balance */
+static void tensor_force(const hobe_real *Q, const hobe_real *x, hobe_real *f)
+{
+    for (int a = 0; a < 3; a++) {
+        f[a * HOBE_PARTS] = zero;
+    }
+    for (int i = 1; i < V; i++) {
+        hobe_real sum[3] = {zero, zero, zero};
+        for (int j = 1; j < i; j++) {
+            for (int a = 0; a < 3; a++) {
+                sum[a] += Q[hobe_pair(i, j)] * x[3 * j + a];
+            }
+        }
+        for (int j = i; j < V; j++) {
+            for (int a = 0; a < 3; a++) {
+                sum[a] += Q[hobe_pair(j, i)] * x[3 * j + a];
+            }
+        }
+        for (int a = 0; a < 3; a++) {
+            f[(3 * i + a) * HOBE_PARTS] = sum[a];
+        }
+        if (position[i]) {
+            for (int a = 0; a < 3; a++) {
+                f[a * HOBE_PARTS] -= sum[a];
+            }
+        }
+    }
+}
+
+/* k[3][3] = sym + skew + Q 1 of a row */
+static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real *Q, hobe_real *k)
+{
+    k[0 * HOBE_PARTS] = s[0] + Q[0];
+    k[4 * HOBE_PARTS] = s[1] + Q[0];
+    k[8 * HOBE_PARTS] = s[2] + Q[0];
+    k[1 * HOBE_PARTS] = 0.5 * s[5] + r[2];
+    k[3 * HOBE_PARTS] = 0.5 * s[5] - r[2];
+    k[6 * HOBE_PARTS] = 0.5 * s[4] + r[1];
+    k[2 * HOBE_PARTS] = 0.5 * s[4] - r[1];
+    k[5 * HOBE_PARTS] = 0.5 * s[3] + r[0];
+    k[7 * HOBE_PARTS] = 0.5 * s[3] - r[0];
+}
+
+/* K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, those of images from their sum and difference */
+static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
+{
+    for (int o = 0; o < IMAGES; o++) {
+        const int m = image[2 * o];
+        const int n = image[2 * o + 1];
+        hobe_real s[6], r[3];
+        for (int e = 0; e < 6; e++) {
+            s[e] = sym[6 * m + e] + sym[6 * n + e];
+        }
+        for (int e = 0; e < 3; e++) {
+            r[e] = skew[3 * m + e] + skew[3 * n + e];
+        }
+        block(s, r, Q + m, K + 9 * HOBE_PARTS * m);
+        for (int e = 0; e < 6; e++) {
+            s[e] = sym[6 * m + e] - sym[6 * n + e];
+        }
+        for (int e = 0; e < 3; e++) {
+            r[e] = skew[3 * m + e] - skew[3 * n + e];
+        }
+        block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
+    }
+    for (int o = 0; o < ALONE; o++) {
+        const int m = alone[o];
+        block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
+    }
+}
+
+/* K_i0 = -K_in of two positions 0 and n = LAST */
+static void opposed_blocks(hobe_real *K)
+{
+    for (int i = 1; i < V; i++) {
+        hobe_real *to = K + 9 * HOBE_PARTS * hobe_pair(i, 0);
+        if (i < LAST) {
+            const hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(LAST, i);
+            for (int a = 0; a < 3; a++) {
+                for (int b = 0; b < 3; b++) {
+                    to[(3 * a + b) * HOBE_PARTS] = zero - k[(3 * b + a) * HOBE_PARTS];
+                }
+            }
+        }
+        if (i >= LAST) {
+            const hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(i, LAST);
+            for (int a = 0; a < 3; a++) {
+                for (int b = 0; b < 3; b++) {
+                    to[(3 * a + b) * HOBE_PARTS] = zero - k[(3 * a + b) * HOBE_PARTS];
+                }
+            }
+        }
+    }
+    for (int e = 0; e < 9; e++) {
+        K[e * HOBE_PARTS] = K[(9 * hobe_pair(LAST, LAST) + e) * HOBE_PARTS];
+    }
+}
+
+/* f = dU/dq, eq. 27, for one part of a batch */
+static void tensor_force_part(const struct hobe_invariants *inv, const hobe_real *q0,
+                              const hobe_real *u, hobe_real *f, hobe_real *scratch)
+{
+    hobe_real x[3 * V], y[3 * COLUMNS], *gamma = scratch, *Q = gamma + PAIRS;
+    tensor_state(inv, q0, u, x, y, gamma, Q);
+    tensor_force(Q, x, f);
+}
+
+/* f as in tensor_force_part and K = df/dq, eq. 28 */
+static void tensor_tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
+                                const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
+{
+    hobe_real x[3 * V], y[3 * COLUMNS];
+    hobe_real *X = scratch, *Z = X + 6 * PAIRS, *Q = Z + 3 * (PAIRS - COLUMNS);
+    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS;
+    const double *H;
+    H = tensor_state(inv, q0, u, x, y, X, Q);
+    tensor_force(Q, x, f);
+    products(y, X, Z);
+    H = row_symmetric(H, inv->symmetry, X, sym);
+    row_skew(H, inv->symmetry, Z, skew);
+    for (int i = OPPOSED; i < V; i++) {
+        for (int a = 0; a < 3; a++) {
+            skew[3 * hobe_pair(i, i) + a] = zero;
+        }
+    }
+    blocks(Q, sym, skew, K);
+    if (OPPOSED) {
+        opposed_blocks(K);
+    }
+}
+
 static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
                    hobe_lanes *U)
 {
@@ -951,20 +1724,41 @@ static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, cons
         energy_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)U + h);
 }
 
-static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
-                  hobe_lanes *f, hobe_lanes *scratch)
+static void section_wise_force(const struct hobe_invariants *inv, const hobe_lanes *q0,
+                               const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
 {
     (void)scratch;
     for (int h = 0; h < HOBE_PARTS; h++)
         force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h);
 }
 
-static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
-                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
+static void section_wise_tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
+                                 const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
+                                 hobe_lanes *scratch)
 {
     for (int h = 0; h < HOBE_PARTS; h++)
         tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h,
                      (hobe_real *)K + h, (hobe_real *)scratch);
+}
+
+static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                  hobe_lanes *f, hobe_lanes *scratch)
+{
+    if (!inv->tensor)
+        section_wise_force(inv, q0, u, f, scratch);
+    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
+        tensor_force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                          (hobe_real *)f + h, (hobe_real *)scratch);
+}
+
+static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
+{
+    if (!inv->tensor)
+        section_wise_tangent(inv, q0, u, f, K, scratch);
+    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
+        tensor_tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                            (hobe_real *)f + h, (hobe_real *)K + h, (hobe_real *)scratch);
 }
 
 static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
@@ -992,10 +1786,14 @@ static const char *const mode_name[M] = {
 static const char *const function_name[] = {
     "w",
 };
+static const struct hobe_tensor_size tensor_size[] = {
+    {331978, 3102430, 457650}, {173358, 1573650, 229290}, {173358, 1573650, 229290},
+    {94086, 809442, 115134},
+};
 
 extern const struct hobe_kernel HOBE_KERNEL(MGD30w_II);
 const struct hobe_kernel HOBE_KERNEL(MGD30w_II) = {
-    .abi = 4,
+    .abi = 5,
     .name = "MGD30w-II",
     .hash = "41f5c2c847bd68b4",
     .source = "Tang, Tian & Hu 2022, Appendix B2",
@@ -1010,7 +1808,7 @@ const struct hobe_kernel HOBE_KERNEL(MGD30w_II) = {
     .shears = NS,
     .flops_force = 299747,
     .flops_tangent = 2457932,
-    .scratch = 2331,
+    .scratch = 10900,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,
@@ -1023,6 +1821,9 @@ const struct hobe_kernel HOBE_KERNEL(MGD30w_II) = {
     .force = force,
     .tangent = tangent,
     .trilinear = trilinear,
+    .tensor_size = tensor_size,
+    .symmetry = symmetry,
+    .tensor = tensor,
     .strain = strain,
     .warping_strain = warping_strain,
 };

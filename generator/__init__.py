@@ -7,7 +7,8 @@ Five stages, each a module with one input and one output; `__main__` runs them a
     declaration         declaration.py  TOML file -> Declaration: nodes, fields, nodal vectors
     shape functions     shape.py        Declaration -> axial functions N(xi), exact polynomials
     invariants          invariants.py   both -> sizes, degrees, exact axial integrals, section modes
-    contraction plan    plan.py         Element -> loop nests (ir.py) with their operation counts
+    contraction plan    plan.py         Element -> loop nests (ir.py) with their operation counts:
+                        tensor.py       from station to station, and as products with one tensor
     C                   emit.py         loop nests -> one C file per element, and the registry
 
 All algebra is exact (sympy rationals); numbers become decimal only when printed.  The text depends

@@ -3,11 +3,11 @@
 
 from fractions import Fraction
 
-from . import structural
+from . import structural, tensor
 from .ir import write
 from .shape import derivative
 
-ABI = 4  # HOBE_KERNEL_ABI of kernel.h
+ABI = 5  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -17,12 +17,13 @@ def identifier(name):
 
 def element_file(element, plan):
     """The C file of one element."""
-    counts = plan.operations
-    parts = [_head(element, counts), _tables(element), _shape(element), _modes(element)]
+    parts = [_head(element, plan), _tables(element), _shape(element), _modes(element)]
     parts += [REFERENCE, *_law(element), INVARIANTS, *_strain(element)]
+    if plan.layout:
+        parts += [_tensor_tables(element, plan.layout), tensor.COEFFICIENTS]
     parts += [_function(f) for f in plan.functions]
-    parts += [BATCH, *([TRILINEAR] if "trilinear_part" in counts else []),
-              _descriptor(element, counts)]
+    parts += [BATCH, *([TENSOR_BATCH, TRILINEAR] if plan.layout else []),
+              _descriptor(element, plan)]
     return "\n".join(parts)
 
 
@@ -31,46 +32,61 @@ REGISTRY = """\
 #include "kernel.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-{portable_externs}
-
-static const struct hobe_kernel *const portable[] = {{
-{portable_items}
-    NULL,
-}};
-
-#ifdef HOBE_AVX2
-{avx2_externs}
-
-static const struct hobe_kernel *const avx2[] = {{
-{avx2_items}
-    NULL,
-}};
-#endif
+{tables}
+/* Whether the environment leaves this machine to choose. */
+static int allowed(const char *machine)
+{{
+    const char *only = getenv("HOBE_MACHINE");
+    return !only || !strcmp(only, machine);
+}}
 
 const struct hobe_kernel *const *hobe_kernels(void)
 {{
-#ifdef HOBE_AVX2
-    if (!getenv("HOBE_PORTABLE") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return avx2;
-#endif
+{choices}
     return portable;
 }}
 """
+
+TABLE = """{externs}
+
+static const struct hobe_kernel *const {machine}[] = {{
+{items}
+    NULL,
+}};
+"""
+
+CHOICE = """    if (allowed("{machine}") && {runs})
+        return {machine};
+"""
+
+MACHINES = {  # the best first: what a processor must have
+    "avx512": ("avx512f", "fma"),
+    "avx2": ("avx2", "fma"),
+    "portable": (),
+}
 
 
 def registry_file(elements):
     """The tables of built-in kernels, one for each machine they are compiled for."""
     symbols = ["hobe_kernel_" + identifier(e.declaration.name) for e in elements]
-    lists = {}
-    for table, suffix in (("portable", ""), ("avx2", "_avx2")):
-        lists[table + "_externs"] = "\n".join(
-            f"extern const struct hobe_kernel {s}{suffix};" for s in symbols)
-        lists[table + "_items"] = "\n".join(f"    &{s}{suffix}," for s in symbols)
-    return REGISTRY.format(**lists)
+    tables, choices = [], []
+    for machine, features in MACHINES.items():
+        suffix = f"_{machine}" if features else ""
+        table = TABLE.format(
+            machine=machine, items="\n".join(f"    &{s}{suffix}," for s in symbols),
+            externs="\n".join(f"extern const struct hobe_kernel {s}{suffix};" for s in symbols))
+        runs = " && ".join(f'__builtin_cpu_supports("{f}")' for f in features)
+        condition = f"#ifdef HOBE_{machine.upper()}\n"
+        tables.append(f"{condition}{table}#endif\n" if features else table)
+        if features:
+            choices.append(f"{condition}{CHOICE.format(machine=machine, runs=runs)}#endif")
+    return REGISTRY.format(tables="\n".join(tables), choices="\n".join(choices))
 
 
-def _head(element, counts):
+def _head(element, plan):
+    counts = plan.operations
     d, size = element.declaration, element.sizes
     slopes = {False: "", True: "'"}
     vectors = " ".join(f"{d.modes[v.mode]}{slopes[v.slope]}@{v.node + 1}" for v in d.vectors)
@@ -85,11 +101,16 @@ def _head(element, counts):
         *_wrap("vectors (mode@node, ' for d/dx):", vectors),
         f"operations per element: force {counts['force_part']}, force and tangent "
         f"{counts['tangent_part']}, energy {counts['energy_part']}",
+        *(f"as one tensor, section symmetric in {where}: force {c['tensor_force_part']}, force and "
+          f"tangent {c['tensor_tangent_part']}" for where, c in zip(SYMMETRIC_IN, plan.tensors)),
     ]
     return "\n".join(["/* " + text[0], *(" * " + t if t else " *" for t in text[1:]), " */",
                       '#include "kernel.h"', "", f"#if HOBE_KERNEL_ABI != {ABI}",
                       "#error Regenerate: this file was written for another kernel ABI",
                       "#endif", ""])
+
+
+SYMMETRIC_IN = "neither", "y", "z", "both"
 
 
 def _points(element):
@@ -139,11 +160,9 @@ def _tables(element):
     d, size = element.declaration, element.sizes
     notes = {"V": "nodal vectors", "M": "section modes", "S": "section vectors d_k', d_k",
              "A": "distinct axial functions", **BLOCKS[d.form]}
-    width = max(len(f"{n} = {v},") for n, v in size.items())
-    enum = [f"    {f'{n} = {v},':<{width}} /* {notes[n]} */" for n, v in size.items()]
     overlap = [_number(x) for row in element.overlap for x in row]
     return "\n".join([
-        "enum {", *enum, "};", "",
+        *_enum(size, notes), "",
         "static const hobe_real zero = {0};", "",
         "/* Of each nodal vector: mode; whether it is a position; axial function. */",
         _table("static const unsigned char mode[V]", [str(v.mode) for v in d.vectors]),
@@ -154,6 +173,51 @@ def _tables(element):
                [str(int(a.slope)) for a in element.axial]),
         "", "/* int_0^1 A_i A_j dxi, exact */",
         _table("static const double overlap[A * A]", overlap), ""])
+
+
+TENSOR_SIZES = {
+    "COLUMNS": "sums and differences of nodal vectors", "PAIRS": "of those",
+    "BLOCKS": "of the tangent, pairs of nodal vectors: a row each",
+    "IMAGES": "pairs of rows that are mirror images", "ALONE": "rows that are their own",
+    "CLASSES": "of parities: 1 odd in x, 2 odd in y, 4 odd in z", "LAST": "the last position",
+    "OPPOSED": "whether it is one of two: rows with the first are less those with it",
+}
+TENSOR_TABLES = {
+    "parity": ("unsigned char", "of each section vector: 1 odd in y, 2 odd in z"),
+    "mirror_of": ("short", "of each nodal vector: its image about mid-length, in rows"),
+    "left": ("short", "of each column: q_left + sign q_right, less the last position where shifted; "
+                      "its\n * function is share (N_left + sign N_right)"),
+    "right": ("short", None), "shifted": ("short", None), "sign": ("double", None),
+    "share": ("double", None),
+    "pair_t": ("short", "pairs of columns: those with t = v, then the others, by class"),
+    "pair_v": ("short", None), "first_pair": ("short", None), "first_cross": ("short", None),
+    "row": ("short", "rows of Q and of the symmetric part, by class"), "first_row": ("short", None),
+    "skew_row": ("short", "rows of the skew part, by class"), "first_skew_row": ("short", None),
+    "merged": ("short", "by the section's symmetry: how many classes a row meets, and its own class "
+                        "times which"),
+    "merged_with": ("short", None),
+    "image": ("short", "pairs of rows that are images, and rows that are their own"),
+    "alone": ("short", None),
+}
+
+
+def _tensor_tables(element, layout):
+    parity = [y + 2 * z for y, z in (m.parity for m in element.modes)]
+    tables = {"parity": parity + parity[1:], **layout.tables,
+              "sign": [c.sign for c in layout.columns],
+              "share": [_number(c.share) for c in layout.columns]}
+    lines = ["/* ---- eqs. 27 and 28 as products with constant matrices (generator/tensor.py) ---- */",
+             "", *_enum(layout.sizes, TENSOR_SIZES), ""]
+    for name, (kind, note) in TENSOR_TABLES.items():
+        lines += [f"/* {note} */"] if note else []
+        lines.append(_table(f"static const {kind} {name}[]", map(str, tables[name])))
+    return "\n".join([*lines, ""])
+
+
+def _enum(sizes, notes):
+    width = max(len(f"{n} = {v},") for n, v in sizes.items())
+    return ["enum {", *(f"    {f'{n} = {v},':<{width}} /* {notes[n]} */" for n, v in sizes.items()),
+            "};"]
 
 
 def _horner(coefficients, x):
@@ -204,7 +268,7 @@ def _modes(element):
 
 
 def _function(function):
-    head = f"static {function.result} {function.name}("
+    head = f"static {function.result} {function.name}(".replace("* ", "*")
     lines = [head]
     for number, argument in enumerate(function.arguments):
         text = argument + (")" if number == len(function.arguments) - 1 else ",")
@@ -586,20 +650,43 @@ static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, cons
         energy_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)U + h);
 }
 
-static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
-                  hobe_lanes *f, hobe_lanes *scratch)
+static void section_wise_force(const struct hobe_invariants *inv, const hobe_lanes *q0,
+                               const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
 {
     (void)scratch;
     for (int h = 0; h < HOBE_PARTS; h++)
         force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h);
 }
 
-static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
-                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
+static void section_wise_tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
+                                 const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
+                                 hobe_lanes *scratch)
 {
     for (int h = 0; h < HOBE_PARTS; h++)
         tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h,
                      (hobe_real *)K + h, (hobe_real *)scratch);
+}
+"""
+
+TENSOR_BATCH = """\
+static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                  hobe_lanes *f, hobe_lanes *scratch)
+{
+    if (!inv->tensor)
+        section_wise_force(inv, q0, u, f, scratch);
+    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
+        tensor_force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                          (hobe_real *)f + h, (hobe_real *)scratch);
+}
+
+static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
+                    hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
+{
+    if (!inv->tensor)
+        section_wise_tangent(inv, q0, u, f, K, scratch);
+    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
+        tensor_tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                            (hobe_real *)f + h, (hobe_real *)K + h, (hobe_real *)scratch);
 }
 """
 
@@ -615,7 +702,13 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
 """
 
 
-def _descriptor(element, counts):
+BY_SECTION = {"force": "section_wise_force", "tangent": "section_wise_tangent",
+              "trilinear": "NULL", "tensor_size": "NULL", "symmetry": "NULL", "tensor": "NULL"}
+BY_TENSOR = {name: name for name in BY_SECTION}
+
+
+def _descriptor(element, plan):
+    counts, layout = plan.operations, plan.layout
     d, size = element.declaration, element.sizes
     functions = [f'"{f}"' for f in d.functions]
     rule = structural.axis_rule(element.stations // 2) if d.form == "structural" else ()
@@ -627,12 +720,18 @@ def _descriptor(element, counts):
         *([_table("static const char *const function_name[]", functions)] if functions else []),
         *([_table("static const double axis_rule[][2]", [f"{{{x!r}, {w!r}}}" for x, w in rule])]
           if rule else []),
+        *([_table("static const struct hobe_tensor_size tensor_size[]", [
+            f"{{{c['tensor_force_part']}, {c['tensor_tangent_part']}, {layout.numbers(s)}}}"
+            for s, c in enumerate(plan.tensors)])] if layout else []),
         "",
         f"extern const struct hobe_kernel HOBE_KERNEL({identifier(d.name)});",
         f"const struct hobe_kernel HOBE_KERNEL({identifier(d.name)}) = {{",
     ]
-    # the section stiffness and one column, for one of at least two parts of a batch
-    scratch = (9 * size["S"] ** 2 + 3 * (size["NN"] + size["NS"]) + 1) // 2
+    # the section stiffness and one column; or columns, rows and their products
+    scratch = 9 * size["S"] ** 2 + 3 * (size["NN"] + size["NS"])
+    if layout:
+        pairs, columns, blocks = (layout.sizes[k] for k in ("PAIRS", "COLUMNS", "BLOCKS"))
+        scratch = max(scratch, 9 * pairs - 3 * columns + 10 * blocks)
     fields = {
         "abi": ABI, "name": f'"{d.name}"', "hash": f'"{d.hash}"', "source": f'"{d.source}"',
         "mechanics": f'"{d.mechanics}"', "nodes": len(d.nodes), "vectors": "V", "modes": "M",
@@ -642,8 +741,7 @@ def _descriptor(element, counts):
         "axis_rule": "axis_rule" if rule else "NULL", "vector": "vector", "mode": "mode_name",
         "function": "function_name" if functions else "NULL", "shape": "shape",
         "section_modes": "section_modes", "invariants": "invariants", "energy": "energy",
-        "force": "force", "tangent": "tangent",
-        "trilinear": "trilinear" if "trilinear_part" in counts else "NULL", "strain": "strain",
+        **(BY_TENSOR if layout else BY_SECTION), "strain": "strain",
         "warping_strain": "warping_strain" if _warps(element) else "NULL",
     }
     lines += [f"    .{name} = {value}," for name, value in fields.items()]

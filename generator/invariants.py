@@ -13,6 +13,11 @@ from math import factorial
 from .declaration import Declaration
 from .shape import derivative
 
+# Functions of a doubly symmetric section: odd in y, odd in z.  One that is not named here or not so
+# costs speed alone: what a section keeps apart is found from its moments.
+PARITY = {"w": (1, 1), "wy": (1, 0), "wz": (0, 1), "ww": (1, 1),
+          "v1y": (0, 1), "v1z": (1, 0), "v2y": (1, 0), "v2z": (0, 1)}
+
 
 @dataclass(frozen=True)
 class Mode:
@@ -26,6 +31,13 @@ class Mode:
     def scale(self):
         """1 / (a! b!), the factor that makes nodal vectors the derivatives of r."""
         return Fraction(1, factorial(self.powers[0]) * factorial(self.powers[1]))
+
+    @property
+    def parity(self):
+        """1 where odd in y, and in z."""
+        if self.function is not None:
+            return PARITY.get(self.name, (0, 0))
+        return self.powers[0] % 2, self.powers[1] % 2
 
 
 @dataclass(frozen=True)

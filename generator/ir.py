@@ -119,8 +119,8 @@ class Counter:
 
     def _loop(self, node, names):
         first, last = _integer(node.first, names), _integer(node.last, names)
-        if not _depends(node.body, node.var):
-            return max(0, last - first) * self._body(node.body, names)
+        if first < last and not _depends(node.body, node.var):
+            return (last - first) * self._body(node.body, {**names, node.var: first})
         return sum(self._body(node.body, {**names, node.var: i}) for i in range(first, last))
 
     def _statement(self, text):
@@ -142,7 +142,7 @@ def _depends(body, var):
     use = re.compile(rf"\b{var}\b")
     for node in body:
         match node:
-            case Let() if use.search(node.expression):
+            case Let() if use.search(node.expression) and _depends(body, node.var):
                 return True
             case If() if use.search(node.condition) or _depends(node.body, var):
                 return True

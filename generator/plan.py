@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stage 4: the section-factored contraction of eqs. 27 and 28, as loop nests.
+"""Stage 4: the section-factored contraction of eqs. 27 and 28, as loop nests; that of tensor.py,
+the other way to force and tangent, comes with it.
 
 At each axial station the S = 2M-1 section vectors D_I (d_k', then d_k) are formed from the nodal
 vectors, their Gram differences s from the reference are contracted with the section's quadratic
@@ -15,7 +16,7 @@ what the form "structural" puts in its place is in structural.py.
 
 from dataclasses import dataclass
 
-from . import structural
+from . import structural, tensor
 from .form import Form, axis3, filled, given, numbers, product
 from .ir import Counter, Do, For, Function, If, Let, Note, loop
 
@@ -23,21 +24,40 @@ from .ir import Counter, Do, For, Function, If, Let, Note, loop
 @dataclass(frozen=True)
 class Plan:
     """The functions of a contraction, callees first, and the operations of one call of each "_part"
-    of it, per lane, at the element's own number of stations, straight and prismatic."""
+    of it, per lane, at the element's own number of stations, straight and prismatic: those of the
+    tensor for each symmetry of the section."""
 
     functions: tuple
     operations: dict
+    layout: tensor.Layout | None  # of the tensor; None where there is none
+    tensors: tuple = ()           # operations by symmetry
 
 
 def build(element):
     """The plan of an Element."""
+    loops, names = functions(element.declaration.form), tables(element)
+    counts = _counts(loops, {**names, "inv_stations": element.stations, "Qc": 0})
+    if element.declaration.form != "continuum":
+        return Plan(loops, counts, None)
+    layout, products = tensor.layout(element), tensor.functions()
+    names |= layout.sizes | layout.tables
+    return Plan(loops + products, counts, layout, tuple(
+        _counts(loops + products, {**names, "symmetry": s})
+        for s in tensor.SYMMETRIES))
+
+
+def tables(element):
+    """Sizes and integer tables that the loops of an element run over."""
     vectors = element.declaration.vectors
-    names = {**element.sizes, "inv_stations": element.stations, "Qc": 0,  # straight and prismatic
-             "mode": [v.mode for v in vectors], "position": [int(v.is_position) for v in vectors]}
-    loops = functions(element.declaration.form)
+    return {**element.sizes, "mode": [v.mode for v in vectors],
+            "position": [int(v.is_position) for v in vectors]}
+
+
+def _counts(loops, names):
+    """Operations of one call of each "_part" that the names suffice for."""
     counter = Counter(loops, names)
-    whole = [f.name for f in loops if f.name.endswith("_part")]
-    return Plan(loops, {name: counter.count(name) for name in whole})
+    return {f.name: counter.count(f.name) for f in loops if f.name.endswith("_part")
+            and f.name.startswith("tensor") == ("symmetry" in names)}
 
 
 def functions(form):

@@ -17,6 +17,10 @@ void hobe_kernel_reference(const struct hobe_kernel *kernel, double length,
 /* The vector that is the value (slope = 0) or slope of a mode at a node; -1 where there is none. */
 int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int slope);
 
+/* Whether force and tangent of a straight and prismatic element are cheaper as products with its
+ * tensor than from station to station, on a section with that symmetry (HOBE_SYMMETRIC_Y, _Z). */
+int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry);
+
 /* The elastic law per length that the element was made with, owned by it. */
 const struct hobe_law *hobe_element_law(const hobe_element *element);
 

@@ -45,7 +45,7 @@
 #include <stddef.h>
 
 /* Raised whenever anything below changes its meaning; generated files check it. */
-#define HOBE_KERNEL_ABI 4
+#define HOBE_KERNEL_ABI 5
 
 enum {
     HOBE_LANES = 8,         /* elements in a batch */
@@ -138,7 +138,21 @@ struct hobe_invariants {
     double *Qs;    /* [blocks][shears][shears]   shear block */
     double *Qc;    /* [blocks][normals][shears]  what couples them; NULL where nothing does */
     ptrdiff_t step_n, step_s, step_c; /* from a station's block to the next; 0 where all are one */
-    double *mass; /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
+    double *mass;   /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
+    int symmetry;   /* of the section, where `tensor` is used: what kernel->symmetry said */
+    double *tensor; /* [kernel->tensor_size[symmetry].numbers], filled by kernel->tensor: force and
+                       tangent are products with it.  NULL: they go from station to station. */
+};
+
+/* Parities of section modes that an energy keeps apart: of a section that is its own mirror image
+ * under y -> -y every integral of a product odd in y vanishes; likewise z. */
+enum { HOBE_SYMMETRIC_Y = 1, HOBE_SYMMETRIC_Z = 2, HOBE_SYMMETRIES = 4 };
+
+/* What force and tangent cost as products with the tensor: operations per element and call, and
+ * how many numbers the tensor has. */
+struct hobe_tensor_size {
+    long flops_force, flops_tangent;
+    size_t numbers;
 };
 
 /* What a nodal vector is: the node it sits on, the mode it multiplies, and whether it is the value
@@ -189,6 +203,20 @@ struct hobe_kernel {
                        const struct hobe_station *station, const struct hobe_law *law,
                        const double *q0);
 
+    /* The other way to force and tangent, for elements that are straight and prismatic: the energy
+     * is a quadratic form in the Gram differences of the nodal vectors, with a tensor that holds
+     * every integral over the volume.  The more a section is symmetric the fewer numbers it has.
+     * By HOBE_SYMMETRIC_Y | HOBE_SYMMETRIC_Z, [HOBE_SYMMETRIES]; NULL, like the two functions,
+     * where the energy is not quartic ("structural"). */
+    const struct hobe_tensor_size *tensor_size;
+
+    /* The symmetries that the quadratic form in inv has. */
+    int (*symmetry)(const struct hobe_invariants *inv);
+
+    /* Fills inv->tensor, given by the caller with inv->symmetry, from the rest of inv, which has
+     * one block; inv->symmetry may leave out what kernel->symmetry says. */
+    void (*tensor)(const struct hobe_invariants *inv);
+
     /* Strain energy of a batch, J.  q0: reference nodal vectors, u: displacements from it, both
      * [vectors][3][HOBE_LANES]; U[HOBE_LANES].  Only differences of the centreline's positions
      * matter, in u as in q0. */
@@ -225,15 +253,18 @@ struct hobe_kernel {
 };
 
 /* The elements built in, in the order of the declarations' names; ends with NULL.  Each is compiled
- * for more than one machine: the table is that of the best one this processor can run, or the
- * portable one where the environment has HOBE_PORTABLE. */
+ * for more than one machine: the table is that of the best one this processor can run, or of the
+ * one that HOBE_MACHINE in the environment names (portable, avx2, avx512), if it can run that. */
 const struct hobe_kernel *const *hobe_kernels(void);
 
 /* ---- for generated code only ---------------------------------------------------------------- */
 
 /* A register's worth of lanes.  A kernel works through a batch in HOBE_PARTS passes, each on values
  * that fit the machine's registers; pass h of item i sits at index i * HOBE_PARTS + h. */
-#ifdef __AVX2__
+#ifdef __AVX512F__
+#define HOBE_KERNEL(name) hobe_kernel_##name##_avx512
+typedef double hobe_real __attribute__((vector_size(8 * sizeof(double)), may_alias));
+#elif defined __AVX2__
 #define HOBE_KERNEL(name) hobe_kernel_##name##_avx2
 typedef double hobe_real __attribute__((vector_size(4 * sizeof(double)), may_alias));
 #else

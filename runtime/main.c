@@ -6,6 +6,8 @@
 #define _GNU_SOURCE
 #include "lua_hobe.h"
 
+#include "element.h"
+
 #include <lualib.h>
 #include <math.h>
 #include <stdlib.h>
@@ -280,6 +282,20 @@ static void join_modes(struct hobe_text *text, const struct hobe_kernel *kernel)
         hobe_text_add(text, k > 0 ? " %s" : "%s", kernel->mode[k]);
 }
 
+/* The two ways to force and tangent, what they cost, and where each is taken. */
+static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
+{
+    static const char *const symmetric[HOBE_SYMMETRIES] = {
+        "any", "symmetric in y", "symmetric in z", "symmetric in y and z"};
+    hobe_text_add(text, "flops of force, and of force and tangent:\n");
+    hobe_text_add(text, "  from station to station, any beam: %ld, %ld\n", k->flops_force,
+                  k->flops_tangent);
+    for (int s = 0; k->tensor_size && s < HOBE_SYMMETRIES; s++)
+        hobe_text_add(text, "  as a tensor, straight and prismatic, section %s: %ld, %ld%s\n",
+                      symmetric[s], k->tensor_size[s].flops_force, k->tensor_size[s].flops_tangent,
+                      hobe_tensor_pays(k, s) ? " (taken: cheaper)" : "");
+}
+
 static int explain_element(const char *name)
 {
     struct hobe_error err;
@@ -291,8 +307,8 @@ static int explain_element(const char *name)
     join_modes(&text, k);
     hobe_text_add(&text, "\ndefault mechanics: %s\npoints on the axis: %d\n", k->mechanics,
                   k->stations);
-    hobe_text_add(&text, "flops, force: %ld\nflops, force and tangent: %ld\ndeclaration: %s\n",
-                  k->flops_force, k->flops_tangent, k->hash);
+    explain_plans(&text, k);
+    hobe_text_add(&text, "declaration: %s\n", k->hash);
     hobe_text_add(&text, "nodal vectors, three degrees of freedom each, in order:\n");
     for (int v = 0; v < k->vectors; v++) {
         const struct hobe_vector *vector = &k->vector[v];

@@ -7,7 +7,8 @@ from fractions import Fraction
 from random import Random
 
 from declare import HEAD, PLANE, Case, c_text, shipped
-from generator import plan, structural
+from generator import plan, structural, tensor
+from generator.shape import derivative
 from generator.ir import Counter, Do, For, Function, If, Let, Note, loop, operations
 from interpret import Machine, Pointer, empty, lanes, structure, values
 
@@ -157,6 +158,120 @@ class State:
         return total
 
 
+class Products(State):
+    """An element with its tensor, worked out from its definition: A_(ik)(jl) is the sum, over the
+    stations and the section vectors, of their functions times Q.  Two stations about mid-length,
+    and a random Q of which entries that the symmetry forbids are zero."""
+
+    def __init__(self, element, symmetry):
+        super().__init__(element, 2)
+        self.layout = tensor.layout(element)
+        self.wx = [Fraction(3)] * 2
+        values, slopes = zip(*(self._functions(HALF + x) for x in (-HALF / 3, HALF / 3)))
+        self.N, self.Nx = [x for row in values for x in row], [x for row in slopes for x in row]
+        vectors = self.size["S"]
+        modes = [m.parity for m in element.modes]
+        self.kinds = [y * (symmetry & 1) + 2 * z * (symmetry >> 1)
+                      for y, z in modes + modes[1:]]
+        m = self.size["M"]
+        self.normal = [(i, j) for first, last in ((0, m), (m, vectors))
+                       for i in range(first, last) for j in range(first, i + 1)]
+        self.shear = [(i, j) for i in range(m) for j in range(m, vectors)]
+        self.Qn, self.Qs = self._kept(self.Qn, self.normal), self._kept(self.Qs, self.shear)
+        columns = self.layout.columns
+        self.columns = [[self._column(g, c) for c in columns] for g in range(2)]
+        self.rows = [[self._row(g, v) for v in range(self.size["V"])] for g in range(2)]
+        numbers = self._sum(self.layout.rows, self.layout.first_row, 0, tensor.HEIGHTS[0], symmetry)
+        numbers += self._sum(self.layout.rows, self.layout.first_row, 1, tensor.HEIGHTS[1], symmetry)
+        numbers += self._sum(self.layout.skew_rows, self.layout.first_skew_row, 2,
+                             tensor.HEIGHTS[2], symmetry)
+        assert len(numbers) == self.layout.numbers(symmetry)
+        for name, value in (("wx", self.wx), ("N", self.N), ("Nx", self.Nx), ("Qn", self.Qn),
+                            ("Qs", self.Qs), ("tensor", numbers)):
+            setattr(self.inv, name, Pointer(value))
+        self.inv.symmetry = symmetry
+        self.machine = Machine(plan.functions("continuum") + tensor.functions(), {
+            **plan.tables(element), **self.layout.sizes, **self.layout.tables,
+            "sign": [c.sign for c in columns]})
+
+    def _functions(self, xi):
+        """Values and slopes of the vectors' axial functions, length 1."""
+        polynomials = [self.element.axial[a].polynomial for a in self.element.axial_of]
+        return tuple([sum(c * xi**n for n, c in enumerate(p)) for p in ps]
+                     for ps in (polynomials, map(derivative, polynomials)))
+
+    def _kept(self, q, pairs):
+        kind = [self.kinds[i] ^ self.kinds[j] for i, j in pairs]
+        n = len(pairs)
+        return [x if kind[i // n] == kind[i % n] else Fraction(0) for i, x in enumerate(q)]
+
+    def _row(self, g, v):
+        """What the vector v is in each section vector at station g."""
+        m, k, at = self.size["M"], self.vectors[v].mode, g * self.size["V"] + v
+        row = [Fraction(0)] * self.size["S"]
+        row[k] = self.Nx[at]
+        if k > 0:
+            row[m - 1 + k] = self.N[at]
+        return row
+
+    def _column(self, g, column):
+        return [column.share * (a + column.sign * b)
+                for a, b in zip(self._row(g, column.left), self._row(g, column.right))]
+
+    def _entry(self, first, second):
+        """A of two pairs of vectors, each ("rows" or "columns", number)."""
+        total = Fraction(0)
+        for g in range(2):
+            a, b, c, d = (getattr(self, kind)[g][i] for kind, i in first + second)
+            for q, pairs in (self.Qn, self.normal), (self.Qs, self.shear):
+                left, right = ([x[i] * y[j] + (x[j] * y[i] if i != j else 0) for i, j in pairs]
+                               for x, y in ((a, b), (c, d)))
+                n = len(pairs)
+                total += self.wx[g] * sum(x * dot(q[r * n:r * n + n], right)
+                                          for r, x in enumerate(left) if x)
+        return total
+
+    def _coefficient(self, kind, row, pair):
+        i, j = next((i, row - i * (i + 1) // 2) for i in range(row, -1, -1)
+                    if i * (i + 1) // 2 <= row)
+        a, b = self.layout.mirror[i], self.layout.mirror[j]
+        image = max(a, b) * (max(a, b) + 1) // 2 + min(a, b)
+        if image < row:
+            return self._coefficient(kind, image, pair)
+        i, j, t, v = ("rows", i), ("rows", j), ("columns", pair[0]), ("columns", pair[1])
+        if kind == 0:
+            return self._entry((i, j), (t, v))
+        first, second = self._entry((i, t), (j, v)), self._entry((i, v), (j, t))
+        if kind == 1:
+            return first + second if t != v else first
+        return (first - second) / 2
+
+    def _sum(self, rows, first, kind, height, symmetry):
+        """The coefficients in the order in which a sum reads them."""
+        found = []
+        for c in range(tensor.CLASSES):
+            left = list(rows[first[c]:first[c + 1]])
+            pairs = [p for m in tensor.MERGED[symmetry]
+                     for p in self.layout.pairs[slice(*self.layout.first_pair[c ^ m:][:2])]
+                     if kind < 2 or p[0] != p[1]]
+            while left:
+                count = height if len(left) >= height else 1
+                found += [self._coefficient(kind, row, p) for p in pairs for row in left[:count]]
+                del left[:count]
+        return found
+
+    def products(self, u):
+        """Force, and force and tangent, as the section-wise plan gives them."""
+        v, sizes = self.size["V"], self.layout.sizes
+        f, g, packed = empty(3 * v), empty(3 * v), empty(9 * v * (v + 1) // 2)
+        scratch = 9 * sizes["PAIRS"] + 10 * sizes["BLOCKS"]
+        q0, u = lanes(self.q0), lanes(u)
+        counts = [self.machine.run("tensor_force_part", self.inv, q0, u, f, empty(scratch)),
+                  self.machine.run("tensor_tangent_part", self.inv, q0, u, g, packed,
+                                   empty(scratch))]
+        return values(f), values(g), values(packed), counts
+
+
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
 
@@ -220,6 +335,47 @@ class Uncoupled(Exact):
     """The same of an element that is straight and prismatic."""
 
     coupled = False
+
+
+class Tensor(Case):
+    """The plan "tensor" is the plan over stations, in rationals, and its counts are those of an
+    execution."""
+
+    def check(self, element, symmetries=tensor.SYMMETRIES):
+        for symmetry in symmetries:
+            with self.subTest(element.declaration.name, symmetry=symmetry):
+                state = Products(element, symmetry)
+                v = state.size["V"]
+                force, packed = empty(3 * v), empty(9 * v * (v + 1) // 2)
+                state.machine.run("tangent_part", state.inv, lanes(state.q0), lanes(state.u), force,
+                                  packed, empty(12 * state.size["S"]**2))
+                *products, counts = state.products(state.u)
+                self.assertEqual(products, [values(force), values(force), values(packed)])
+                printed = plan.build(element).tensors[symmetry]
+                self.assertEqual(counts, [printed["tensor_force_part"],
+                                          printed["tensor_tangent_part"]])
+
+    def test_shipped(self):
+        """Three positions; two, with slopes and a section function."""
+        elements = shipped()
+        self.check(elements["3333"])
+        self.check(elements["BE24w"], symmetries=(3,))
+
+    def test_no_mirror(self):
+        """Nodes that have no mirror image: columns are the vectors themselves."""
+        text = HEAD.replace('"0", "1"', '"0", "1/3", "1"') + PLANE.replace(
+            '2 = ["value"]', '2 = ["value"], 3 = ["value"]')
+        element = self.element(text)
+        self.assertEqual(tensor.layout(element).images, ())
+        self.check(element, symmetries=(3,))
+
+    def test_sizes(self):
+        """Each symmetry leaves about half the numbers, and so does a mirror image."""
+        layout = tensor.layout(shipped()["MGD30w"])
+        numbers = [layout.numbers(s) for s in tensor.SYMMETRIES]
+        self.assertEqual(numbers[1], numbers[2])
+        for more, less in (numbers[0], numbers[1]), (numbers[1], numbers[3]):
+            self.assertTrue(1.8 < more / less < 2.2, numbers)
 
 
 class Counted(Case):

@@ -22,7 +22,7 @@ C_NAMES = [emit.identifier(name) for name in sorted(p.stem for p in ELEMENTS)]
 # Budgets, generous for a slow machine; what is reached is printed by the generator and by size(1).
 SECONDS_TO_GENERATE = 60  # all elements
 SECONDS_TO_COMPILE = 30   # any one
-TEXT_OF_C = 40_000        # bytes, any one
+TEXT_OF_C = 90_000        # bytes, any one
 TEXT_OF_CODE = 64 * 1024  # bytes of .text, any one: the tangent should fit a level-2 cache
 
 
@@ -100,9 +100,10 @@ class Written(Case):
             self.assertLess(len(text), TEXT_OF_C, name)
 
     def test_registry(self):
-        """All elements, in the order of their names, for both machines."""
+        """All elements, in the order of their names, for each machine."""
         listed = re.findall(r"^    &hobe_kernel_(\w+),$", self.text["registry.c"], re.M)
-        self.assertEqual(listed, C_NAMES + [name + "_avx2" for name in C_NAMES])
+        self.assertEqual(listed, [name + suffix for suffix in ("_avx512", "_avx2", "")
+                                  for name in C_NAMES])
 
     def test_compile_largest(self):
         """The longest text and the one with the most vectors, alone, without warnings."""

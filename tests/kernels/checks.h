@@ -19,6 +19,10 @@ void check_values(const struct fixture *fx);
 void check_identities(const struct fixture *fx);
 void check_round_off(const struct fixture *fx);
 
+/* Against the force and tangent from station to station; leaves the tensor with the section's own
+ * symmetry in use, for the other checks. */
+void check_tensor(struct fixture *fx);
+
 /* Exact solutions: rigid motion, homogeneous deformation. */
 void check_rigid(const struct fixture *fx);
 void check_homogeneous(const struct fixture *fx);

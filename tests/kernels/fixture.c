@@ -100,6 +100,36 @@ void test_functions(double y, double z, double (*f)[4])
     }
 }
 
+static void set(real w[3], real f, real fy, real fz)
+{
+    w[0] = f;
+    w[1] = fy;
+    w[2] = fz;
+}
+
+/* Those of a section that is its own mirror image: w and ww are odd in y and in z, the others in
+ * one of them. */
+static void symmetric_functions(const struct hobe_kernel *kernel, double y, double z,
+                                double (*f)[4])
+{
+    static const char *const odd_in_y[] = {"wy", "v1z", "v2y"};
+    static const char *const odd_in_z[] = {"wz", "v1y", "v2z"};
+    for (int i = 0; i < kernel->functions; i++) {
+        real w[3];
+        test_function(0, y, z, w);
+        set(w, w[0] + 100 * i * y * y * y * z, w[1] + 300 * i * y * y * z,
+            w[2] + 100 * i * y * y * y);
+        for (int n = 0; n < 3; n++) {
+            if (!strcmp(kernel->function[i], odd_in_y[n]))
+                set(w, y * y * y + i * y * z * z, 3 * y * y + i * z * z, 2 * i * y * z);
+            if (!strcmp(kernel->function[i], odd_in_z[n]))
+                set(w, z * z * z + i * z * y * y, 2 * i * y * z, 3 * z * z + i * y * y);
+        }
+        for (int d = 0; d < 3; d++)
+            f[i][d] = (double)w[d];
+    }
+}
+
 /* One Gauss point more in each direction than the evaluator has: both are exact, and no two points
  * coincide; but the evaluator's where the reference is curved and neither is exact. */
 static void set_section(struct fixture *fx)
@@ -118,6 +148,8 @@ static void set_section(struct fixture *fx)
         point->weight = (double)(fx->beam.width * fx->beam.height * w[p / n] * w[p % n]);
         point->region = 0;
         test_functions(point->y, point->z, point->f);
+        if (fx->symmetry)
+            symmetric_functions(fx->kernel, point->y, point->z, point->f);
     }
     fx->axis = (struct hobe_section_point){.weight = 0.37}; /* a mean: any weight will do */
     test_functions(0, 0, fx->axis.f);
@@ -243,6 +275,7 @@ void free_invariants(struct hobe_invariants *inv)
     free(inv->Qs);
     free(inv->Qc);
     free(inv->mass);
+    free(inv->tensor);
 }
 
 /* The largest slope of each mode over the section decides the size of its vectors: a vector of size
@@ -281,9 +314,10 @@ static void set_reference(struct fixture *fx, real scale)
 }
 
 static void open_fixture(struct fixture *fx, const struct hobe_kernel *kernel,
-                         enum pw_mechanics mechanics, int curved)
+                         enum pw_mechanics mechanics, int curved, int symmetry)
 {
     memset(fx, 0, sizeof *fx);
+    fx->symmetry = symmetry;
     fx->kernel = kernel;
     fx->dofs = 3 * kernel->vectors;
     fx->structural = !strcmp(kernel->mechanics, "structural");
@@ -292,8 +326,9 @@ static void open_fixture(struct fixture *fx, const struct hobe_kernel *kernel,
     fx->beam.length = 0.4L;
     fx->beam.width = 0.03L;
     fx->beam.height = 0.05L;
-    fx->beam.y = 0.004L; /* off the axis, so that no moment vanishes by symmetry */
-    fx->beam.z = -0.003L;
+    /* off the axis, so that no moment vanishes but by the symmetry asked for */
+    fx->beam.y = symmetry & HOBE_SYMMETRIC_Y ? 0 : 0.004L;
+    fx->beam.z = symmetry & HOBE_SYMMETRIC_Z ? 0 : -0.003L;
     fx->beam.E = 70e9L;
     fx->beam.nu = 0.3L;
     fx->beam.k2 = 0.85L;
@@ -318,13 +353,28 @@ static void open_fixture(struct fixture *fx, const struct hobe_kernel *kernel,
 
 void fixture_open(struct fixture *fx, const struct hobe_kernel *kernel, enum pw_mechanics mechanics)
 {
-    open_fixture(fx, kernel, mechanics, 0);
+    open_fixture(fx, kernel, mechanics, 0, 0);
 }
 
 void fixture_open_curved(struct fixture *fx, const struct hobe_kernel *kernel,
                          enum pw_mechanics mechanics)
 {
-    open_fixture(fx, kernel, mechanics, 1);
+    open_fixture(fx, kernel, mechanics, 1, 0);
+}
+
+void fixture_open_symmetric(struct fixture *fx, const struct hobe_kernel *kernel,
+                            enum pw_mechanics mechanics, int symmetry)
+{
+    open_fixture(fx, kernel, mechanics, 0, symmetry);
+}
+
+void fixture_set_tensor(struct fixture *fx, int symmetry)
+{
+    const struct hobe_kernel *k = fx->kernel;
+    free(fx->inv.tensor);
+    fx->inv.symmetry = symmetry;
+    fx->inv.tensor = grab(k->tensor_size[symmetry].numbers, sizeof(double));
+    k->tensor(&fx->inv);
 }
 
 void fixture_close(struct fixture *fx)

@@ -12,6 +12,7 @@ struct fixture {
     const struct hobe_kernel *kernel;
     struct pw_beam beam; /* the same element for the evaluator; beam.element only where known */
     int known, structural, dofs;
+    int symmetry; /* of the section: HOBE_SYMMETRIC_Y, _Z */
     double density;
     real *size; /* [dofs] of a nodal vector that turns or stretches the section by about 1 */
     struct hobe_section_point *point, axis;
@@ -31,7 +32,14 @@ void fixture_open(struct fixture *fx, const struct hobe_kernel *kernel,
  * grows along the element. */
 void fixture_open_curved(struct fixture *fx, const struct hobe_kernel *kernel,
                          enum pw_mechanics mechanics);
+/* The same, straight and prismatic, with a section that is its own mirror image. */
+void fixture_open_symmetric(struct fixture *fx, const struct hobe_kernel *kernel,
+                            enum pw_mechanics mechanics, int symmetry);
 void fixture_close(struct fixture *fx);
+
+/* From now on force and tangent are products with the tensor, which has only the numbers that this
+ * symmetry leaves. */
+void fixture_set_tensor(struct fixture *fx, int symmetry);
 
 /* The invariants with another number of stations; one block for all stations or one for each.
  * Arrays to be freed by free_invariants. */

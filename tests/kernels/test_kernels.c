@@ -68,6 +68,24 @@ static void check_curved(const struct hobe_kernel *kernel)
     }
 }
 
+/* Force and tangent as products with the tensor, on sections with each symmetry. */
+static void check_products(const struct hobe_kernel *kernel)
+{
+    for (int law = 0; law < PW_LAWS; law++)
+        for (int symmetry = 0; symmetry < HOBE_SYMMETRIES; symmetry++) {
+            struct fixture fx;
+            if (!goes_with(kernel, law) || !kernel->tensor)
+                continue;
+            fixture_open_symmetric(&fx, kernel, (enum pw_mechanics)law, symmetry);
+            check_tensor(&fx);
+            check_round_off(&fx);
+            check_rigid(&fx);
+            if (first(law))
+                check_identities(&fx);
+            fixture_close(&fx);
+        }
+}
+
 static int built_in(const char *name)
 {
     for (int i = 0; hobe_kernels()[i]; i++)
@@ -102,6 +120,7 @@ int main(int argc, char **argv)
         if (asked(argc, argv, hobe_kernels()[i]->name)) {
             check_kernel(hobe_kernels()[i]);
             check_curved(hobe_kernels()[i]);
+            check_products(hobe_kernels()[i]);
         }
     return check_report() ? EXIT_FAILURE : EXIT_SUCCESS;
 }
