@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <string.h>
@@ -52,13 +53,19 @@ static void quote(struct hobe_text *text, const char *string)
     hobe_text_bytes(text, "'", 1);
 }
 
+/* Where a number stands on an axis. */
+static double place(const struct hobe_plot *plot, double number)
+{
+    return plot->logarithmic ? log10(number) : number;
+}
+
 /* The extent of all points: box[0..1] in x, box[2..3] in y. */
 static void extent(const struct hobe_plot *plot, double *box)
 {
     int first = 1;
     for (size_t k = 0; k < plot->count; k++) {
         for (size_t i = 0; i < plot->series[k].count; i++, first = 0) {
-            double x = plot->series[k].x[i], y = plot->series[k].y[i];
+            double x = place(plot, plot->series[k].x[i]), y = place(plot, plot->series[k].y[i]);
             box[0] = first || x < box[0] ? x : box[0];
             box[1] = first || x > box[1] ? x : box[1];
             box[2] = first || y < box[2] ? y : box[2];
@@ -75,12 +82,13 @@ static const char *legend(const struct hobe_plot *plot)
     double box[4] = {0};
     for (size_t k = 0; k < plot->count; k++)
         labels += plot->series[k].label && *plot->series[k].label;
-    if (labels > 6)
+    if (labels > 5)
         return "outside right top";
     extent(plot, box);
     for (size_t k = 0; k < plot->count; k++) {
         for (size_t i = 0; i < plot->series[k].count; i++) {
-            double x = plot->series[k].x[i] - box[0], y = plot->series[k].y[i] - box[2];
+            double x = place(plot, plot->series[k].x[i]) - box[0];
+            double y = place(plot, plot->series[k].y[i]) - box[2];
             int left = x<0.4 * (box[1] - box[0]), right = x> 0.6 * (box[1] - box[0]);
             int bottom = y<0.4 * (box[3] - box[2]), top = y> 0.6 * (box[3] - box[2]);
             if ((left || right) && (bottom || top))
@@ -99,6 +107,23 @@ static void add_label(struct hobe_text *text, const char *what, const char *labe
     hobe_text_add(text, "set %s ", what);
     quote(text, label);
     hobe_text_add(text, " noenhanced\n");
+}
+
+/* Logarithmic axes; one of few decades has too few powers of ten to read a number by. */
+static void add_logarithms(struct hobe_text *text, const struct hobe_plot *plot)
+{
+    double box[4] = {0};
+    extent(plot, box);
+    hobe_text_add(text, "set logscale xy\n");
+    for (int axis = 0; axis < 2; axis++) {
+        const int first = (int)floor(box[2 * axis]), last = (int)ceil(box[2 * axis + 1]);
+        if (last - first > 2)
+            continue;
+        hobe_text_add(text, "set %ctics (", "xy"[axis]);
+        for (int k = first; k <= last; k++)
+            hobe_text_add(text, "%s1e%d, 2e%d, 5e%d", k > first ? ", " : "", k, k, k);
+        hobe_text_add(text, ")\n");
+    }
 }
 
 /* Colours that stay apart for most eyes (Okabe & Ito; Tol), after black. */
@@ -154,6 +179,8 @@ void hobe_plot_script(struct hobe_text *text, const struct hobe_plot *plot, cons
                         "set grid lc rgb '#d8d8d8' lt 1 lw 1\n"
                         "set autoscale noextend\n"
                         "set offsets graph 0.02, graph 0.02, graph 0.04, graph 0.04\n");
+    if (plot->logarithmic)
+        add_logarithms(text, plot);
     hobe_text_add(text, "set key %s spacing 1.2 width 1\n", legend(plot));
     add_label(text, "title", plot->title);
     add_label(text, "xlabel", plot->xlabel);
