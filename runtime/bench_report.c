@@ -194,6 +194,7 @@ void bench_text(const struct bench_rows *rows, enum bench_format format, struct 
 struct figure {
     const char *name, *title, *xlabel;
     enum hobe_style style;
+    int log_x;
     double (*x)(const struct bench_row *row); /* 0: the row is not in it */
     int (*alike)(const struct bench_row *a, const struct bench_row *b);
     const char *(*label)(const struct bench_row *row, char *text, size_t size);
@@ -233,9 +234,9 @@ static const char *scene_label(const struct bench_row *row, char *text, size_t s
 
 static const struct figure figures[] = {
     {"kernels", "Elements on a rectangle, in batches of eight", "degrees of freedom of an element",
-     HOBE_STYLE_POINTS, kernel_x, kernel_alike, kernel_label},
+     HOBE_STYLE_POINTS, 0, kernel_x, kernel_alike, kernel_label},
     {"scenes", "Steps of a Newton iteration on beams", "elements of the beam",
-     HOBE_STYLE_LINESPOINTS, scene_x, scene_alike, scene_label},
+     HOBE_STYLE_LINESPOINTS, 1, scene_x, scene_alike, scene_label},
 };
 
 /* What a figure is made of while it is drawn; room for all rows. */
@@ -308,8 +309,13 @@ static enum hobe_status draw(const struct bench_rows *rows, const struct figure 
     for (size_t i = 0; !status && i < n; i++)
         if (figure->x(rows->at + i) > 0)
             used += add_series(rows, figure, i, &d, used);
-    const struct hobe_plot plot = {figure->title, figure->xlabel, "µs per element",
-                                   d.count,       d.series,       1};
+    const struct hobe_plot plot = {.title = figure->title,
+                                   .xlabel = figure->xlabel,
+                                   .ylabel = "µs per element",
+                                   .count = d.count,
+                                   .series = d.series,
+                                   .log_x = figure->log_x,
+                                   .log_y = 1};
     if (used)
         status = write_plot(&plot, figure->name, folder, drawn, err);
     hobe_free(d.x);

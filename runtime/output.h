@@ -126,7 +126,7 @@ struct hobe_plot {
     const char *title, *xlabel, *ylabel;
     size_t count;
     const struct hobe_series *series; /* [count] */
-    int logarithmic;                  /* both axes; all x, y > 0 */
+    int log_x, log_y;                 /* logarithmic axes, whose numbers are > 0 */
 };
 
 /* Appends the numbers of the diagram as CSV: a pair of columns for each series. */
