@@ -45,11 +45,28 @@ enum {
     BYTES,
     COLUMNS
 };
-static const char *const heads[COLUMNS] = {
-    "kind",           "element",           "section",   "plan",      "task",
-    "dofs",           "elements",          "median, s", "least, s",  "spread, %",
-    "ns per element", "flops per element", "GFLOP/s",   "% of peak", "points / this",
-    "eq. 28 / this",  "bytes per element",
+
+/* What programs call a column, and people beside the title of a table. */
+static const struct {
+    const char *full, *brief;
+} heads[COLUMNS] = {
+    [KIND] = {"kind", "kind"},
+    [ELEMENT] = {"element", "element"},
+    [SECTION] = {"section", "section"},
+    [PLAN] = {"plan", "plan"},
+    [TASK] = {"task", "task"},
+    [DOFS] = {"dofs", "dofs"},
+    [ELEMENTS] = {"elements", "elements"},
+    [SECONDS] = {"median, s", "time, s"},
+    [LEAST] = {"least, s", "least, s"},
+    [SPREAD] = {"spread, %", "spread, %"},
+    [NANOSECONDS] = {"ns per element", "ns"},
+    [FLOPS] = {"flops per element", "flops"},
+    [RATE] = {"GFLOP/s", "GFLOP/s"},
+    [PEAK] = {"% of peak", "% of peak"},
+    [POINTS] = {"points / this", "points/this"},
+    [PRINTED] = {"eq. 28 / this", "eq. 28/this"},
+    [BYTES] = {"bytes per element", "bytes"},
 };
 
 static void fill(const struct bench_row *row, struct hobe_cell *cell)
@@ -82,7 +99,7 @@ static void fill(const struct bench_row *row, struct hobe_cell *cell)
 struct view {
     const char *title, *kinds[2];
     int columns, column[COLUMNS];
-    int digits; /* 0: all */
+    int digits; /* for people; 0: all, for programs */
 };
 
 static const struct view everything = {
@@ -94,12 +111,12 @@ static const struct view everything = {
     0,
 };
 static const struct view views[] = {
-    {"Elements, in batches of eight",
+    {"Elements, in batches of eight, per element",
      {"kernel", "baseline"},
      11,
      {ELEMENT, SECTION, PLAN, TASK, NANOSECONDS, SPREAD, FLOPS, RATE, PEAK, POINTS, PRINTED},
      3},
-    {"Beams, steps of the first Newton iteration",
+    {"Beams, steps of the first Newton iteration, per element",
      {"scene", NULL},
      6,
      {ELEMENT, ELEMENTS, TASK, NANOSECONDS, SPREAD, BYTES},
@@ -138,7 +155,7 @@ static void add_view(const struct bench_rows *rows, const struct view *view,
         return;
     }
     for (int j = 0; j < view->columns; j++)
-        head[j] = heads[view->column[j]];
+        head[j] = view->digits ? heads[view->column[j]].brief : heads[view->column[j]].full;
     for (size_t i = 0; i < rows->count; i++) {
         if (!shows(view, rows->at + i))
             continue;

@@ -48,8 +48,8 @@ static enum hobe_status arc(void *context, double t, double *r, struct hobe_erro
 const struct bench_class bench_classes[BENCH_CLASSES] = {
     {"rectangle", rectangle, 0},
     {"angle", angle, 0},
-    {"rectangle on an arc", rectangle, 1},
-    {"tapered rectangle", taper, 0},
+    {"arc", rectangle, 1},
+    {"taper", taper, 0},
 };
 
 /* ---- a batch -------------------------------------------------------------------------------- */

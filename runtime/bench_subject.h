@@ -12,7 +12,8 @@ struct bench_class {
     int curved;
 };
 enum { BENCH_CLASSES = 4 };
-extern const struct bench_class bench_classes[BENCH_CLASSES]; /* the first: a rectangle, straight */
+extern const struct bench_class
+    bench_classes[BENCH_CLASSES]; /* rectangle, straight; angle; arc; taper */
 
 struct bench_subject {
     const struct hobe_kernel *kernel;

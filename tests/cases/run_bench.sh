@@ -40,13 +40,13 @@ for element, baselines in (("BE24", {"points", "eq. 28"}), ("3333s", set())):
     found = select(element=element, kind="baseline")
     assert {r["plan"] for r in found} == baselines, found
     assert len(found) == 2 * len(baselines)
-    sections = {"rectangle", "angle", "rectangle on an arc", "tapered rectangle"}
+    sections = {"rectangle", "angle", "arc", "taper"}
     for task in ("force", "force, tangent"):
         kernels = select(element=element, kind="kernel", task=task)
         assert {r["section"] for r in kernels} == sections, kernels
         for row in kernels:
             assert ("points / this" in row) == bool(baselines), row
-            assert row["section"] == "tapered rectangle" or row["elements"] == 8, row
+            assert row["section"] == "taper" or row["elements"] == 8, row
         assert all("% of peak" in r for r in kernels if r["section"] == "rectangle")
     for n in (24, 240, 1000):
         steps = {r["task"] for r in select(element=element, kind="scene", elements=n)}
