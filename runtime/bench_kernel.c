@@ -75,12 +75,14 @@ static enum hobe_status compare(const struct rivals *r, struct bench_difference 
     hobe_lanes *f = hobe_alloc(dofs + dofs * (dofs + 3) / 2, sizeof *f, err), *K = f + dofs;
     if (!f)
         return HOBE_NO_MEMORY;
-    s->kernel->tangent(s->inv, s->q0, s->u, s->f, s->K, s->scratch);
-    bench_machine()->points(&r->points, s->q, f, K);
-    difference->points = differ(s, f, K);
-    if (r->tensors.vectors) {
+    for (int i = 0; i < s->plans; i++) {
+        s->kernel->tangent(&s->plan[i].inv, s->q0, s->u, s->f, s->K, s->scratch);
+        bench_machine()->points(&r->points, s->q, f, K);
+        difference->points = fmax(difference->points, differ(s, f, K));
+        if (!r->tensors.vectors)
+            continue;
         bench_machine()->printed(&r->tensors, s->q, f, K);
-        difference->printed = differ(s, f, K);
+        difference->printed = fmax(difference->printed, differ(s, f, K));
     }
     hobe_free(f);
     return HOBE_OK;
@@ -112,15 +114,15 @@ static enum hobe_status check_rivals(const struct rivals *r, struct hobe_error *
 
 /* ---- a race --------------------------------------------------------------------------------- */
 
-/* One who runs: the peak, a kernel with invariants of one plan, or a baseline; a call of it. */
+/* One who runs: the peak, a kernel by one of its plans, or a baseline. */
 struct entrant {
     const char *kind, *plan;
-    int tangent;  /* force and tangent, or force alone */
-    double flops; /* of a call; 0: not known */
-    const struct bench_subject *subject;
-    const struct hobe_invariants *inv; /* of a kernel */
-    const struct rivals *rivals;
-    hobe_lanes *turn;
+    int tangent;                         /* force and tangent, or force alone */
+    double flops;                        /* of a call; 0: not known */
+    hobe_lanes *turn;                    /* of the peak */
+    const struct bench_subject *subject; /* of a kernel, */
+    const struct hobe_invariants *inv;   /* and those it is called with */
+    const struct rivals *rivals;         /* of a baseline */
 };
 
 static void run_peak(void *context)
@@ -153,10 +155,10 @@ static void run_printed(void *context)
     bench_machine()->printed(&e->rivals->tensors, s->q, s->f, e->tangent ? s->K : NULL);
 }
 
-enum { MOST_ENTRANTS = 1 + 2 * 4 };
+enum { MOST_ENTRANTS = 1 + 2 * (BENCH_PLANS + 2) };
 
 struct race {
-    const struct bench_class *class;
+    const char *class;
     const struct bench_subject *subject;
     hobe_lanes turn[BENCH_TURN_CHAINS];
     int entrants, points[2], printed[2]; /* places of the baselines by `tangent`; 0: none */
@@ -173,39 +175,46 @@ static int enter(struct race *race, void (*run)(void *context), const struct ent
     return i;
 }
 
-/* Flops of a call, which the generator counts for straight, prismatic elements. */
-static double kernel_flops(const struct bench_subject *s, const struct hobe_invariants *inv,
-                           int tangent)
+static void enter_plans(struct race *race, int tangent)
 {
-    const struct hobe_kernel *k = s->kernel;
-    if (inv->Qc || inv->stations != k->stations)
-        return 0;
-    return HOBE_LANES * (double)(tangent ? k->flops_tangent : k->flops_force);
+    const struct bench_subject *s = race->subject;
+    for (int i = 0; i < s->plans; i++)
+        enter(race, run_kernel,
+              &(struct entrant){.kind = "kernel",
+                                .plan = s->plan[i].name,
+                                .tangent = tangent,
+                                .flops = HOBE_LANES * s->plan[i].flops[tangent],
+                                .subject = s,
+                                .inv = &s->plan[i].inv});
 }
 
-static void line_up(struct race *race, const struct bench_class *class,
-                    const struct bench_subject *s, const struct rivals *rivals)
+static void enter_baselines(struct race *race, const struct rivals *rivals, int tangent)
+{
+    struct entrant e = {.kind = "baseline", .tangent = tangent, .rivals = rivals};
+    if (rivals->points.vectors) {
+        e.plan = "points";
+        e.flops = HOBE_LANES * bench_points_flops(&rivals->points, tangent);
+        race->points[tangent] = enter(race, run_points, &e);
+    }
+    if (rivals->tensors.vectors) {
+        e.plan = "eq. 28";
+        e.flops = HOBE_LANES * bench_printed_flops(&rivals->tensors, tangent);
+        race->printed[tangent] = enter(race, run_printed, &e);
+    }
+}
+
+static void line_up(struct race *race, const char *class, const struct bench_subject *s,
+                    const struct rivals *rivals)
 {
     *race = (struct race){.class = class, .subject = s};
-    struct entrant peak = {.kind = "machine", .turn = race->turn};
-    peak.flops = 2.0 * BENCH_TURN_CHAINS * BENCH_TURN_STEPS * bench_machine()->width;
-    enter(race, run_peak, &peak);
+    enter(race, run_peak,
+          &(struct entrant){.kind = "machine",
+                            .flops =
+                                2.0 * BENCH_TURN_CHAINS * BENCH_TURN_STEPS * bench_machine()->width,
+                            .turn = race->turn});
     for (int tangent = 0; tangent < 2; tangent++) {
-        struct entrant e = {"kernel", "section", tangent, 0, s, s->inv, rivals, NULL};
-        e.flops = kernel_flops(s, s->inv, tangent);
-        enter(race, run_kernel, &e);
-        e.kind = "baseline";
-        e.inv = NULL;
-        if (rivals->points.vectors) {
-            e.plan = "points";
-            e.flops = HOBE_LANES * bench_points_flops(&rivals->points, tangent);
-            race->points[tangent] = enter(race, run_points, &e);
-        }
-        if (rivals->tensors.vectors) {
-            e.plan = "eq. 28";
-            e.flops = HOBE_LANES * bench_printed_flops(&rivals->tensors, tangent);
-            race->printed[tangent] = enter(race, run_printed, &e);
-        }
+        enter_plans(race, tangent);
+        enter_baselines(race, rivals, tangent);
     }
 }
 
@@ -222,15 +231,17 @@ static enum hobe_status report(const struct race *race, int i, struct bench_rows
     struct bench_row *row = bench_add(rows, err);
     if (!row)
         return HOBE_NO_MEMORY;
-    *row = (struct bench_row){
-        .kind = e->kind, .time = bench_time(race->work + i), .flops = e->flops, .plan = e->plan};
-    row->element = race->subject->kernel->name;
-    if (!e->subject)
-        return HOBE_OK;
-    row->section = race->class->name;
-    row->dofs = 3 * e->subject->kernel->vectors;
+    *row = (struct bench_row){.kind = e->kind,
+                              .element = race->subject->kernel->name,
+                              .plan = e->plan,
+                              .time = bench_time(race->work + i),
+                              .flops = e->flops};
+    if (!e->plan)
+        return HOBE_OK; /* the peak */
+    row->section = race->class;
+    row->dofs = 3 * race->subject->kernel->vectors;
     row->task = e->tangent ? "force, tangent" : "force";
-    row->elements = e->inv ? e->subject->count : HOBE_LANES;
+    row->elements = e->inv ? race->subject->count : HOBE_LANES;
     row->points = against(race, race->points[e->tangent], i, (int)row->elements);
     row->printed = against(race, race->printed[e->tangent], i, (int)row->elements);
     row->peak = e->flops / race->entrant[0].flops * bench_ratio(race->work, race->work + i);
@@ -238,18 +249,18 @@ static enum hobe_status report(const struct race *race, int i, struct bench_rows
 }
 
 /* The baselines are those of the rectangle whatever the class, and are reported with it. */
-static enum hobe_status race_class(const struct bench_options *options, int class,
+static enum hobe_status race_class(const struct bench_options *options, int c,
                                    const struct hobe_kernel *kernel, const struct rivals *rivals,
                                    struct bench_rows *rows, struct hobe_error *err)
 {
     struct bench_subject subject;
     struct race race;
-    enum hobe_status status = bench_subject_open(&subject, kernel, bench_classes + class, err);
+    enum hobe_status status = bench_subject_open(&subject, kernel, bench_classes + c, err);
     if (!status) {
-        line_up(&race, bench_classes + class, &subject, rivals);
+        line_up(&race, bench_classes[c].name, &subject, rivals);
         status = bench_race(race.work, race.entrants, options->seconds, err);
         for (int i = 0; !status && i < race.entrants; i++)
-            if (class == 0 || race.entrant[i].inv)
+            if (c == 0 || race.entrant[i].inv)
                 status = report(&race, i, rows, err);
         bench_free_samples(race.work, race.entrants);
     }
@@ -268,8 +279,8 @@ enum hobe_status bench_kernels(const struct bench_options *options, struct bench
         status = open_rivals(&rivals, kernel, err);
         if (!status)
             status = check_rivals(&rivals, err);
-        for (int class = 0; !status && class < BENCH_CLASSES; class ++)
-            status = race_class(options, class, kernel, &rivals, rows, err);
+        for (int c = 0; !status && c < BENCH_CLASSES; c++)
+            status = race_class(options, c, kernel, &rivals, rows, err);
         close_rivals(&rivals);
     }
     return status;

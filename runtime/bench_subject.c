@@ -81,6 +81,19 @@ static enum hobe_status set_state(struct bench_subject *s, struct hobe_error *er
     return HOBE_OK;
 }
 
+/* The plans that there are for an element.  The generator counts flops for straight, prismatic
+ * elements. */
+static void set_plans(struct bench_subject *s, const hobe_element *element)
+{
+    const struct hobe_kernel *k = s->kernel;
+    const struct hobe_invariants *inv = hobe_element_invariants(element);
+    const int counted = !inv->Qc && inv->stations == k->stations;
+    s->plan[s->plans++] = (struct bench_plan){
+        .name = "section",
+        .inv = *inv,
+        .flops = {counted ? (double)k->flops_force : 0, counted ? (double)k->flops_tangent : 0}};
+}
+
 static enum hobe_status set_model(struct bench_subject *s, struct hobe_error *err)
 {
     const struct hobe_beam beam = {.name = s->kernel->name,
@@ -100,7 +113,7 @@ static enum hobe_status set_model(struct bench_subject *s, struct hobe_error *er
         status = hobe_model_build(s->model, err);
     if (!status) {
         const struct batch *batch = model_beam(s->model, 0)->batch;
-        s->inv = hobe_element_invariants(batch->law);
+        set_plans(s, batch->law);
         s->count = batch->count;
         s->q0 = batch->q0;
     }
@@ -133,7 +146,7 @@ enum hobe_status bench_subject_full(struct bench_subject *s, const struct hobe_k
     s->element = hobe_element_new(&options, err);
     if (!s->element)
         return err->status;
-    s->inv = hobe_element_invariants(s->element);
+    set_plans(s, s->element);
     s->own_q0 = hobe_alloc(dofs, sizeof *s->own_q0, err);
     double *q0 = hobe_alloc(dofs, sizeof *q0, err);
     if (s->own_q0 && q0) {

@@ -15,9 +15,18 @@ enum { BENCH_CLASSES = 4 };
 extern const struct bench_class
     bench_classes[BENCH_CLASSES]; /* rectangle, straight; angle; arc; taper */
 
+/* One of the kernel's ways to force and tangent: which it takes is decided by the invariants. */
+struct bench_plan {
+    const char *name;
+    struct hobe_invariants inv;
+    double flops[2]; /* of an element, force; force and tangent; 0: not counted */
+};
+enum { BENCH_PLANS = 2 };
+
 struct bench_subject {
     const struct hobe_kernel *kernel;
-    const struct hobe_invariants *inv;
+    int plans;
+    struct bench_plan plan[BENCH_PLANS];
     int count;                           /* elements in the batch: those that share the law */
     const hobe_lanes *q0;                /* [vectors][3] */
     hobe_lanes *u, *q, *f, *K, *scratch; /* q = q0 + u; results as in kernel.h */
