@@ -125,6 +125,7 @@ void bench_points_close(struct bench_points *p)
     hobe_free(p->weight);
     hobe_free(p->gradient);
     hobe_free(p->scratch);
+    *p = (struct bench_points){0};
 }
 
 /* rows[6] = the strain xx, yy, zz, 2yz, 2xz, 2xy of a pair of vectors: sym(G_v G_w'), twice its
@@ -192,4 +193,5 @@ void bench_tensors_close(struct bench_tensors *t)
     hobe_free(t->A);
     hobe_free(t->b);
     hobe_free(t->scratch);
+    *t = (struct bench_tensors){0};
 }
