@@ -8,7 +8,8 @@
 #include "hobe.h"
 #include "section.h"
 
-/* An element at points of its volume: what a textbook tabulates. */
+/* An element at points of its volume: what a textbook tabulates.  The law is the unsplit one, which
+ * needs no strain averaged over the section: the least that there is to do. */
 struct bench_points {
     int vectors, points;
     double *weight;   /* [points] m^3 */
