@@ -16,15 +16,17 @@ static const double SHORTEST_SAMPLE = 5e-5;
 /* s: beside it, what is cold in a first call is nothing. */
 static const double LONG_CALL = 0.1;
 
-int bench_pin(void)
+enum bench_pin bench_pin(void)
 {
     const int here = sched_getcpu();
     cpu_set_t set;
+    if (!sched_getaffinity(0, sizeof set, &set) && CPU_COUNT(&set) == 1)
+        return BENCH_WAS_PINNED;
     if (here < 0 || here >= CPU_SETSIZE)
-        return 0;
+        return BENCH_NOT_PINNED;
     CPU_ZERO(&set);
     CPU_SET(here, &set);
-    return sched_setaffinity(0, sizeof set, &set) == 0;
+    return sched_setaffinity(0, sizeof set, &set) ? BENCH_NOT_PINNED : BENCH_NOW_PINNED;
 }
 
 /* s of so many calls */

@@ -20,8 +20,9 @@ struct bench_time {
     double spread; /* between the quartiles, as a share of the median */
 };
 
-/* Binds the calling thread to the processor it is on; 0 where the system does not allow it. */
-int bench_pin(void);
+/* Binds the process to one processor: that it is on, unless it is bound to one already. */
+enum bench_pin { BENCH_NOT_PINNED, BENCH_NOW_PINNED, BENCH_WAS_PINNED };
+enum bench_pin bench_pin(void);
 
 /* Runs the works in turn, round after round, for about so many seconds, after a warm-up in which
  * each finds its number of calls; at least three rounds however long they take. */

@@ -103,7 +103,6 @@ static void show_progress(const char *what, const char *name)
 static enum hobe_status measure(const struct bench_options *options, struct bench_rows *rows,
                                 struct hobe_error *err)
 {
-    rows->pinned = bench_pin();
     enum hobe_status status = bench_kernels(options, rows, err);
     if (!status)
         status = bench_scenes(options, rows, err);
@@ -131,7 +130,7 @@ static int run(const struct arguments *arguments, const struct kernels *kernels,
                const struct kernels *scenes)
 {
     struct hobe_error err;
-    struct bench_rows rows = {0};
+    struct bench_rows rows = {.pinned = bench_pin() != BENCH_NOT_PINNED};
     const struct bench_options options = {
         .kernels = kernels->count,
         .kernel = kernels->at,
@@ -161,6 +160,9 @@ int command_bench(int argc, char **argv)
         if (status)
             return status;
     }
+    /* Libraries counted the processors when they were loaded: once more, with one. */
+    if (bench_pin() == BENCH_NOW_PINNED)
+        execv("/proc/self/exe", argv);
     const char *names = arguments.elements, *quick = arguments.quick ? QUICK_ELEMENTS : NULL;
     int status;
     if (arguments.folder && hobe_make_folder(arguments.folder, &err))

@@ -50,7 +50,7 @@ for element, baselines in (("BE24", {"points", "eq. 28"}), ("3333s", set())):
         assert all("% of peak" in r for r in kernels if r["section"] == "rectangle")
     for n in (24, 240, 1000):
         steps = {r["task"] for r in select(element=element, kind="scene", elements=n)}
-        assert steps == {"set-up", "force", "force, tangent", "factor", "solve",
+        assert steps == {"set-up", "residual", "residual, tangent", "factor", "solve",
                          "Newton iteration"}, steps
     assert "bytes per element" in select(element=element, task="Newton iteration",
                                          elements=1000)[0]
