@@ -13,6 +13,7 @@ struct bench_row {
     const char *kind;    /* "machine", "kernel", "baseline", "scene" or "table 6" */
     const char *element; /* NULL where there is none, as all texts below */
     const char *section, *plan, *task;
+    int taken;              /* the plan is that which hobe takes there */
     int dofs;               /* of an element; 0: none */
     long elements;          /* that the time is of */
     struct bench_time time; /* of a call, s */

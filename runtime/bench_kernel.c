@@ -117,6 +117,7 @@ static enum hobe_status check_rivals(const struct rivals *r, struct hobe_error *
 /* One who runs: the peak, a kernel by one of its plans, or a baseline. */
 struct entrant {
     const char *kind, *plan;
+    int taken;                           /* the plan is hobe's choice */
     int tangent;                         /* force and tangent, or force alone */
     double flops;                        /* of a call; 0: not known */
     hobe_lanes *turn;                    /* of the peak */
@@ -182,6 +183,7 @@ static void enter_plans(struct race *race, int tangent)
         enter(race, run_kernel,
               &(struct entrant){.kind = "kernel",
                                 .plan = s->plan[i].name,
+                                .taken = s->plan[i].taken,
                                 .tangent = tangent,
                                 .flops = HOBE_LANES * s->plan[i].flops[tangent],
                                 .subject = s,
@@ -234,6 +236,7 @@ static enum hobe_status report(const struct race *race, int i, struct bench_rows
     *row = (struct bench_row){.kind = e->kind,
                               .element = race->subject->kernel->name,
                               .plan = e->plan,
+                              .taken = e->taken,
                               .time = bench_time(race->work + i),
                               .flops = e->flops};
     if (!e->plan)

@@ -30,6 +30,7 @@ enum {
     ELEMENT,
     SECTION,
     PLAN,
+    TAKEN,
     TASK,
     DOFS,
     ELEMENTS,
@@ -54,6 +55,7 @@ static const struct {
     [ELEMENT] = {"element", "element"},
     [SECTION] = {"section", "section"},
     [PLAN] = {"plan", "plan"},
+    [TAKEN] = {"taken", "taken"},
     [TASK] = {"task", "task"},
     [DOFS] = {"dofs", "dofs"},
     [ELEMENTS] = {"elements", "elements"},
@@ -72,7 +74,8 @@ static const struct {
 static void fill(const struct bench_row *row, struct hobe_cell *cell)
 {
     const double elements = (double)row->elements, time = row->time.median;
-    const char *const texts[] = {row->kind, row->element, row->section, row->plan, row->task};
+    const char *const texts[] = {
+        row->kind, row->element, row->section, row->plan, row->taken ? "yes" : NULL, row->task};
     const double numbers[COLUMNS] = {
         [DOFS] = row->dofs,
         [ELEMENTS] = elements,
@@ -106,15 +109,15 @@ static const struct view everything = {
     "bench",
     {NULL, NULL},
     COLUMNS,
-    {KIND, ELEMENT, SECTION, PLAN, TASK, DOFS, ELEMENTS, SECONDS, LEAST, SPREAD, NANOSECONDS, FLOPS,
-     RATE, PEAK, POINTS, PRINTED, BYTES},
+    {KIND, ELEMENT, SECTION, PLAN, TAKEN, TASK, DOFS, ELEMENTS, SECONDS, LEAST, SPREAD, NANOSECONDS,
+     FLOPS, RATE, PEAK, POINTS, PRINTED, BYTES},
     0,
 };
 static const struct view views[] = {
     {"Elements, in batches of eight, per element",
      {"kernel", "baseline"},
-     11,
-     {ELEMENT, SECTION, PLAN, TASK, NANOSECONDS, SPREAD, FLOPS, RATE, PEAK, POINTS, PRINTED},
+     12,
+     {ELEMENT, SECTION, PLAN, TAKEN, TASK, NANOSECONDS, SPREAD, FLOPS, RATE, PEAK, POINTS, PRINTED},
      3},
     {"Beams, steps of the first Newton iteration, per element",
      {"scene", NULL},

@@ -81,17 +81,44 @@ static enum hobe_status set_state(struct bench_subject *s, struct hobe_error *er
     return HOBE_OK;
 }
 
-/* The plans that there are for an element.  The generator counts flops for straight, prismatic
- * elements. */
-static void set_plans(struct bench_subject *s, const hobe_element *element)
+/* From station to station.  The generator counts flops for straight, prismatic elements. */
+static void add_section_plan(struct bench_subject *s, const struct hobe_invariants *inv)
 {
     const struct hobe_kernel *k = s->kernel;
+    struct bench_plan *plan = s->plan + s->plans++;
+    *plan = (struct bench_plan){.name = "section", .taken = !inv->tensor, .inv = *inv};
+    plan->inv.tensor = NULL;
+    if (!inv->Qc && inv->stations == k->stations) {
+        plan->flops[0] = (double)k->flops_force;
+        plan->flops[1] = (double)k->flops_tangent;
+    }
+}
+
+/* By products with a tensor, which the element may not have. */
+static enum hobe_status add_tensor_plan(struct bench_subject *s, const struct hobe_invariants *inv,
+                                        struct hobe_error *err)
+{
+    const struct hobe_kernel *k = s->kernel;
+    struct bench_plan *plan = s->plan + s->plans++;
+    *plan = (struct bench_plan){.name = "tensor", .taken = inv->tensor != NULL, .inv = *inv};
+    plan->inv.symmetry = k->symmetry(inv);
+    const struct hobe_tensor_size *size = k->tensor_size + plan->inv.symmetry;
+    plan->flops[0] = (double)size->flops_force;
+    plan->flops[1] = (double)size->flops_tangent;
+    plan->inv.tensor = s->tensor = hobe_alloc(size->numbers, sizeof(double), err);
+    if (!s->tensor)
+        return HOBE_NO_MEMORY;
+    k->tensor(&plan->inv);
+    return HOBE_OK;
+}
+
+/* All plans that there are for an element. */
+static enum hobe_status set_plans(struct bench_subject *s, const hobe_element *element,
+                                  struct hobe_error *err)
+{
     const struct hobe_invariants *inv = hobe_element_invariants(element);
-    const int counted = !inv->Qc && inv->stations == k->stations;
-    s->plan[s->plans++] = (struct bench_plan){
-        .name = "section",
-        .inv = *inv,
-        .flops = {counted ? (double)k->flops_force : 0, counted ? (double)k->flops_tangent : 0}};
+    add_section_plan(s, inv);
+    return s->kernel->tensor_size && !inv->Qc ? add_tensor_plan(s, inv, err) : HOBE_OK;
 }
 
 static enum hobe_status set_model(struct bench_subject *s, struct hobe_error *err)
@@ -113,7 +140,7 @@ static enum hobe_status set_model(struct bench_subject *s, struct hobe_error *er
         status = hobe_model_build(s->model, err);
     if (!status) {
         const struct batch *batch = model_beam(s->model, 0)->batch;
-        set_plans(s, batch->law);
+        status = set_plans(s, batch->law, err);
         s->count = batch->count;
         s->q0 = batch->q0;
     }
@@ -146,7 +173,6 @@ enum hobe_status bench_subject_full(struct bench_subject *s, const struct hobe_k
     s->element = hobe_element_new(&options, err);
     if (!s->element)
         return err->status;
-    set_plans(s, s->element);
     s->own_q0 = hobe_alloc(dofs, sizeof *s->own_q0, err);
     double *q0 = hobe_alloc(dofs, sizeof *q0, err);
     if (s->own_q0 && q0) {
@@ -156,13 +182,17 @@ enum hobe_status bench_subject_full(struct bench_subject *s, const struct hobe_k
     }
     hobe_free(q0);
     s->q0 = s->own_q0;
-    return s->own_q0 && q0 ? set_state(s, err) : HOBE_NO_MEMORY;
+    enum hobe_status status = s->own_q0 && q0 ? HOBE_OK : HOBE_NO_MEMORY;
+    if (!status)
+        status = set_plans(s, s->element, err);
+    return status ? status : set_state(s, err);
 }
 
 void bench_subject_close(struct bench_subject *s)
 {
     hobe_free(s->u);
     hobe_free(s->own_q0);
+    hobe_free(s->tensor);
     hobe_element_free(s->element);
     hobe_model_free(s->model);
     hobe_curve_free(s->curve);

@@ -18,6 +18,7 @@ extern const struct bench_class
 /* One of the kernel's ways to force and tangent: which it takes is decided by the invariants. */
 struct bench_plan {
     const char *name;
+    int taken; /* by hobe for such an element */
     struct hobe_invariants inv;
     double flops[2]; /* of an element, force; force and tangent; 0: not counted */
 };
@@ -37,6 +38,7 @@ struct bench_subject {
     hobe_model *model;
     hobe_element *element;
     hobe_lanes *own_q0;
+    double *tensor;
 };
 
 /* The first batch of a beam of eight elements.  bench_subject_close frees it even after a failure.

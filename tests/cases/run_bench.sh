@@ -44,6 +44,7 @@ for element, baselines in (("BE24", {"points", "eq. 28"}), ("3333s", set())):
     for task in ("force", "force, tangent"):
         kernels = select(element=element, kind="kernel", task=task)
         assert {r["section"] for r in kernels} == sections, kernels
+        assert len([r for r in kernels if r.get("taken") == "yes"]) == len(sections), kernels
         for row in kernels:
             assert ("points / this" in row) == bool(baselines), row
             assert row["section"] == "taper" or row["elements"] == 8, row
