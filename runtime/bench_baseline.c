@@ -3,19 +3,26 @@
 
 #include "element.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-extern const struct bench_machine hobe_kernel_bench, hobe_kernel_bench_avx2;
+extern const struct bench_machine hobe_kernel_bench, hobe_kernel_bench_avx2,
+    hobe_kernel_bench_avx512;
 
-/* The registry's choice. */
 const struct bench_machine *bench_machine(void)
 {
-#ifdef HOBE_AVX2
-    if (!getenv("HOBE_PORTABLE") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return &hobe_kernel_bench_avx2;
+    static const struct bench_machine *const machines[] = {
+#ifdef HOBE_AVX512
+        &hobe_kernel_bench_avx512,
 #endif
-    return &hobe_kernel_bench;
+#ifdef HOBE_AVX2
+        &hobe_kernel_bench_avx2,
+#endif
+        &hobe_kernel_bench,
+    };
+    int i = 0;
+    while (strcmp(machines[i]->name, hobe_machine()))
+        i++;
+    return machines[i];
 }
 
 double bench_points_flops(const struct bench_points *p, int tangent)

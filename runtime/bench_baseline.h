@@ -35,8 +35,8 @@ enum { BENCH_TURN_CHAINS = 12, BENCH_TURN_STEPS = 1000 };
 /* The same source compiled for one kind of processor, as kernels are.  States and results as in
  * kernel.h: q[vectors][3], f[vectors][3], K[pairs][3][3] of eight elements. */
 struct bench_machine {
-    const char *name;
-    int width; /* doubles of a register */
+    const char *name; /* as hobe_machine says */
+    int width;        /* doubles of a register */
 
     /* BENCH_TURN_STEPS steps x = a x + b of each of BENCH_TURN_CHAINS registers that do not depend
      * on one another: as many fused multiply-adds as the machine can do. */

@@ -196,8 +196,10 @@ static void printed(const struct bench_tensors *t, const hobe_lanes *q, hobe_lan
 }
 
 const struct bench_machine HOBE_KERNEL(bench) = {
-#ifdef __AVX2__
-    "AVX2",
+#ifdef __AVX512F__
+    "avx512",
+#elif defined __AVX2__
+    "avx2",
 #else
     "portable",
 #endif
