@@ -111,7 +111,7 @@ enum hobe_status bench_points_open(struct bench_points *p, const hobe_element *e
     p->points = inv->stations * n;
     p->weight = hobe_alloc((size_t)p->points, sizeof *p->weight, err);
     p->gradient = hobe_alloc((size_t)(3 * p->points * V), sizeof *p->gradient, err);
-    p->scratch = hobe_alloc((size_t)(20 * V), sizeof *p->scratch, err);
+    p->scratch = hobe_alloc((size_t)(39 * V), sizeof *p->scratch, err);
     const int failed = !p->weight || !p->gradient || !p->scratch;
     for (int i = 0; !failed && i < p->points; i++) {
         const int g = i / n;

@@ -15,7 +15,7 @@ struct bench_points {
     double *weight;   /* [points] m^3 */
     double *gradient; /* [points][vectors][3] d(N_v phi_v)/d(x,y,z), 1/m */
     struct hobe_elasticity law;
-    hobe_lanes *scratch; /* [20 vectors] */
+    hobe_lanes *scratch; /* [39 vectors] */
 };
 
 /* The integrals of eqs. 27 and 28 over those points,
