@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "assemble.h"
 
-#include "load.h"
+#include "pattern.h"
 
 #include <string.h>
 
@@ -30,50 +30,68 @@ static void scatter_force(const struct hobe_model *model, const struct beam *bea
         }
 }
 
-/* Blocks (v, w), v >= w, of one lane, and their transposes. */
-static void scatter_tangent(const struct hobe_model *model, const struct beam *beam, int e,
-                            int lane, double *Ax)
+/* The blocks (v, w) and (w, v) of a batch, where the layout has them. */
+static void scatter_blocks(const struct batch *batch, const hobe_lanes K[9], const long *place,
+                           long step, const int *stride, int V, int v, int w, double *value)
 {
-    for (int v = 0; v < beam->kernel->vectors; v++)
-        for (int w = 0; w <= v; w++) {
-            const hobe_lanes *K = model->work.K + 9 * hobe_pair(v, w);
-            double block[3][3], transposed[3][3];
+    for (int lane = 0; lane < batch->count; lane++) {
+        const long at = place[lane * step + v * V + w], mirror = place[lane * step + w * V + v];
+        double *to = value + at;
+        for (int c = 0, s = stride[lane * V + w]; at >= 0 && c < 3; c++)
             for (int a = 0; a < 3; a++)
-                for (int c = 0; c < 3; c++)
-                    block[a][c] = transposed[c][a] = K[3 * a + c][lane];
-            tangent_add(model, beam, e, v, w, (const double(*)[3])block, Ax);
-            if (v != w)
-                tangent_add(model, beam, e, w, v, (const double(*)[3])transposed, Ax);
-        }
+                to[c * s + a] += K[3 * a + c][lane];
+        to = value + mirror;
+        for (int a = 0, s = stride[lane * V + v]; mirror >= 0 && v != w && a < 3; a++)
+            for (int c = 0; c < 3; c++)
+                to[a * s + c] += K[3 * a + c][lane];
+    }
 }
 
-void assemble(const struct hobe_model *model, const double *u, double *f, double *Ax)
+static void scatter_tangent(const struct hobe_model *model, const struct beam *beam,
+                            const struct batch *batch, const struct matrix *K)
+{
+    const int V = beam->kernel->vectors;
+    const long *place = beam->place[K->layout] + (long)batch->first * V * V;
+    int stride[HOBE_LANES * HOBE_MAX_VECTORS];
+    for (int lane = 0; lane < batch->count; lane++)
+        for (int v = 0; v < V; v++) {
+            const long j = model->unknown[model_vector(model, beam, batch->first + lane, v)];
+            stride[lane * V + v] = j < 0 ? 0 : model->stride[K->layout][j];
+        }
+    for (int v = 0; v < V; v++)
+        for (int w = 0; w <= v; w++)
+            scatter_blocks(batch, model->work.K + 9 * hobe_pair(v, w), place, (long)V * V, stride,
+                           V, v, w, K->value);
+}
+
+void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K)
 {
     const struct workspace *work = &model->work;
     memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
-    if (Ax)
-        memset(Ax, 0, (size_t)(9 * model->pattern.start[model->unknowns]) * sizeof *Ax);
+    if (K)
+        pattern_clear(model, K);
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         for (int b = 0; b < beam->batches; b++) {
             const struct batch *batch = beam->batch + b;
             const struct hobe_invariants *inv = hobe_element_invariants(batch->law);
             gather(model, beam, batch, u, work->u);
-            if (Ax)
+            if (K)
                 beam->kernel->tangent(inv, batch->q0, work->u, work->f, work->K, work->scratch);
             else
                 beam->kernel->force(inv, batch->q0, work->u, work->f, work->scratch);
             scatter_force(model, beam, batch, f);
-            for (int lane = 0; Ax && lane < batch->count; lane++)
-                scatter_tangent(model, beam, batch->first + lane, lane, Ax);
+            if (K)
+                scatter_tangent(model, beam, batch, K);
         }
     }
 }
 
-void assemble_strained(const struct hobe_model *model, const double *u, const double *v, double *Ax)
+void assemble_strained(const struct hobe_model *model, const double *u, const double *v,
+                       const struct matrix *K)
 {
     const struct workspace *work = &model->work;
-    memset(Ax, 0, (size_t)(9 * model->pattern.start[model->unknowns]) * sizeof *Ax);
+    pattern_clear(model, K);
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         for (int b = 0; b < beam->batches; b++) {
@@ -84,8 +102,7 @@ void assemble_strained(const struct hobe_model *model, const double *u, const do
                 work->q0[k] += batch->q0[k] - work->u[k];
             beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f,
                                   work->K, work->scratch);
-            for (int lane = 0; lane < batch->count; lane++)
-                scatter_tangent(model, beam, batch->first + lane, lane, Ax);
+            scatter_tangent(model, beam, batch, K);
         }
     }
 }

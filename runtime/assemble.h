@@ -5,19 +5,19 @@
 
 #include "model.h"
 
-/* f[vectors][3] = dU/dq of all elements in state u, N; and Ax[nonzeros] the values of the tangent
- * stiffness of the unknowns in the model's pattern, unless Ax is NULL.  Both overwritten. */
-void assemble(const struct hobe_model *model, const double *u, double *f, double *Ax);
+/* f[vectors][3] = dU/dq of all elements in state u, N; and K the tangent stiffness of the unknowns,
+ * unless NULL.  Both overwritten. */
+void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K);
 
 /* f[V][3] = dU/dq of element e of a beam alone, N, in memory of its own. */
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
                                   const double *u, double *f, struct hobe_error *err);
 
-/* Ax[nonzeros] = the tangent of elements that are where u puts them and have come there from where
+/* K = the tangent of elements that are where u puts them and have come there from where
  * u - v would: it differs from that of unstrained ones by the geometric stiffness of the strains of
  * v, to the first order, without what the displacements v themselves change. */
 void assemble_strained(const struct hobe_model *model, const double *u, const double *v,
-                       double *Ax);
+                       const struct matrix *K);
 
 /* Strain energy of all elements, J. */
 double assemble_energy(const struct hobe_model *model, const double *u);

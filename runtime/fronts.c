@@ -353,9 +353,11 @@ void fronts_scale(const hobe_fronts *f, const double *value, double *scale)
     for (long s = 0; s < f->fronts; s++) {
         const struct front *front = f->front + s;
         const long stride = stride_of(front);
-        for (int k = 0; k < 3 * front->pivots; k++)
+        for (int k = 0; k < 3 * front->pivots; k++) {
+            const double diagonal = fabs(value[front->panel + k * stride + k]);
             scale[3 * f->order[front->first + k / 3] + k % 3] =
-                1 / sqrt(fabs(value[front->panel + k * stride + k]));
+                diagonal > 0 ? 1 / sqrt(diagonal) : 1;
+        }
     }
 }
 

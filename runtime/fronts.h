@@ -29,7 +29,7 @@ size_t fronts_size(const hobe_fronts *f);
 long fronts_place(const hobe_fronts *f, long i, long j);
 int fronts_stride(const hobe_fronts *f, long j);
 
-/* scale[3 * blocks] = diag(K)^(-1/2) of the values in the panels. */
+/* scale[3 * blocks] = diag(K)^(-1/2) of the values in the panels; 1 where that is zero. */
 void fronts_scale(const hobe_fronts *f, const double *value, double *scale);
 
 /* Overwrites the values by the factors, which fronts_solve needs.  HOBE_SINGULAR, without a

@@ -76,6 +76,9 @@ void hobe_model_free(hobe_model *model)
         tie_free(model_tie(model, i));
     hobe_free(model->ties.item);
     hobe_linsolve_free(model->solver);
+    fronts_free(model->fronts);
+    for (int layout = 0; layout < LAYOUTS; layout++)
+        hobe_free(model->stride[layout]);
     pattern_free(&model->pattern);
     hobe_free(model->alias);
     hobe_free(model->unknown);
@@ -356,13 +359,7 @@ static enum hobe_status build(hobe_model *model, struct hobe_error *err)
     status = pattern_build(model, err);
     if (!status)
         status = load_build(model, err);
-    if (!status)
-        status = allocate_work(model, err);
-    if (status)
-        return status;
-    model->solver =
-        hobe_linsolve_analyse(3 * model->unknowns, model->pattern.Ap, model->pattern.Ai, err);
-    return model->solver ? HOBE_OK : HOBE_NO_MEMORY;
+    return status ? status : allocate_work(model, err);
 }
 
 enum hobe_status hobe_model_build(hobe_model *model, struct hobe_error *err)

@@ -10,6 +10,7 @@
 #define HOBE_MODEL_H
 
 #include "beam.h"
+#include "fronts.h"
 #include "hobe.h"
 #include "linsolve.h"
 
@@ -33,6 +34,13 @@ struct pattern {
     long *Ap, *Ai;     /* scalar columns */
 };
 
+/* The values of a matrix in the model's pattern: scalar (a, c) of the block at a place in column j
+ * lies at value[place + c * stride[layout][j] + a]. */
+struct matrix {
+    enum layout layout;
+    double *value;
+};
+
 struct workspace { /* of one batch, large enough for every beam */
     hobe_lanes *q0, *u, *f, *K, *scratch;
 };
@@ -51,7 +59,9 @@ struct hobe_model {
     long unknowns;           /* vectors solved for */
     double *dead;            /* [vectors][3] forces that do not depend on the state */
     struct pattern pattern;
-    hobe_linsolve *solver;
+    int *stride[LAYOUTS];  /* [unknowns] */
+    hobe_fronts *fronts;   /* NULL where tangents are not symmetric, or ties border them */
+    hobe_linsolve *solver; /* NULL until pattern_columns */
     struct workspace work;
     char **note;
     size_t notes;

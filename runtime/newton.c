@@ -78,23 +78,55 @@ static double work_of(const struct solver *s)
     return sum;
 }
 
+static void evaluate(struct solver *s, double factor, const struct matrix *K)
+{
+    assemble(s->model, s->u, s->r, K);
+    constraint_add(s->model, s->u, s->r, K);
+    load_subtract(s->model, s->u, factor, s->r, K);
+}
+
 void solver_evaluate(struct solver *s, double factor, int with_tangent)
 {
-    assemble(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
-    constraint_add(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
-    load_subtract(s->model, s->u, factor, s->r, with_tangent ? s->Ax : NULL);
+    evaluate(s, factor, with_tangent ? &s->K : NULL);
+    s->factor = factor;
 }
 
 /* ---- one step -------------------------------------------------------------------------------- */
 
+/* Where elimination without pivoting is not safe, the same tangent by LU with pivoting. */
+static enum hobe_status factor_in_columns(struct solver *s, struct hobe_error *err)
+{
+    const struct matrix *K = s->K.layout == COLUMNS ? &s->K : &s->pivoting;
+    if (K == &s->pivoting) {
+        if (pattern_columns(s->model, err))
+            return HOBE_NO_MEMORY;
+        if (!K->value && pattern_matrix(s->model, COLUMNS, &s->pivoting, err))
+            return HOBE_NO_MEMORY;
+        evaluate(s, s->factor, K);
+    }
+    s->factored = COLUMNS;
+    return hobe_linsolve_factor(s->model->solver, K->value, s->scale, &s->singular, err);
+}
+
 enum outcome solver_factor(struct solver *s, struct hobe_error *err)
 {
-    const enum hobe_status status =
-        hobe_linsolve_factor(s->model->solver, s->Ax, s->scale, &s->singular, err);
+    enum hobe_status status = HOBE_SINGULAR;
+    if (s->K.layout == FRONTS) {
+        s->factored = FRONTS;
+        status = fronts_factor(s->model->fronts, s->K.value, s->scale);
+    }
+    if (status == HOBE_SINGULAR)
+        status = factor_in_columns(s, err);
     s->info.factorisations++;
     if (status == HOBE_SINGULAR)
         solver_log(s, "singular tangent");
     return status == HOBE_SINGULAR ? FAILED : status ? ERROR : CONVERGED;
+}
+
+long solver_negative(const struct solver *s)
+{
+    return s->factored == FRONTS ? fronts_negative(s->model->fronts)
+                                 : hobe_linsolve_negative(s->model->solver);
 }
 
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,
@@ -103,7 +135,10 @@ enum hobe_status solver_solve(struct solver *s, const double *field, double fact
     solver_restrict(s->model, field, x);
     for (long i = 0; i < 3 * s->model->unknowns; i++)
         x[i] *= factor;
-    return hobe_linsolve_solve(s->model->solver, x, err);
+    if (s->factored == COLUMNS)
+        return hobe_linsolve_solve(s->model->solver, x, err);
+    fronts_solve(s->model->fronts, s->K.value, x);
+    return HOBE_OK;
 }
 
 /* Takes the correction, halved until the work of the residual along it has fallen. */
@@ -273,7 +308,7 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 static void set_scale(struct solver *s)
 {
     solver_evaluate(s, 1, 1);
-    pattern_scale(&s->model->pattern, s->Ax, s->scale);
+    pattern_scale(s->model, &s->K, s->scale);
     s->load_norm = solver_norm(s, s->r, 1); /* F = 0 at the reference */
 }
 
@@ -283,10 +318,11 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     s->u = hobe_alloc(vectors, sizeof *s->u, err);
     s->start = hobe_alloc(vectors, sizeof *s->start, err);
     s->r = hobe_alloc(vectors, sizeof *s->r, err);
-    s->Ax = hobe_alloc((size_t)s->model->pattern.Ap[n], sizeof *s->Ax, err);
     s->x = hobe_alloc(n, sizeof *s->x, err);
     s->scale = hobe_alloc(n, sizeof *s->scale, err);
-    return s->u && s->start && s->r && s->Ax && s->x && s->scale ? HOBE_OK : HOBE_NO_MEMORY;
+    if (!s->u || !s->start || !s->r || !s->x || !s->scale)
+        return HOBE_NO_MEMORY;
+    return pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err);
 }
 
 void solver_close(struct solver *s)
@@ -294,7 +330,8 @@ void solver_close(struct solver *s)
     hobe_free(s->u);
     hobe_free(s->start);
     hobe_free(s->r);
-    hobe_free(s->Ax);
+    hobe_free(s->K.value);
+    hobe_free(s->pivoting.value);
     hobe_free(s->x);
     hobe_free(s->scale);
 }

@@ -13,13 +13,16 @@
 struct solver {
     hobe_model *model;
     struct hobe_newton options;
-    double *u;        /* [vectors][3] accepted state, then the one being found */
-    double *start;    /* state at the start of the step */
-    double *r;        /* [vectors][3] residual F - factor Q */
-    double *Ax;       /* tangent */
-    double *x;        /* [unknowns] right-hand side and correction */
-    double *scale;    /* [unknowns] D */
-    double load_norm; /* |D Q| at the reference */
+    double *u;       /* [vectors][3] accepted state, then the one being found */
+    double *start;   /* state at the start of the step */
+    double *r;       /* [vectors][3] residual F - factor Q */
+    struct matrix K; /* tangent of the last evaluation, or its factors where they are fronts */
+    double factor;   /* of the load there */
+    struct matrix pivoting; /* the tangent once more where fronts need it, in columns */
+    enum layout factored;   /* whose factors are the last */
+    double *x;              /* [unknowns] right-hand side and correction */
+    double *scale;          /* [unknowns] D */
+    double load_norm;       /* |D Q| at the reference */
     struct hobe_solution_info info;
     struct hobe_iteration now;
     long singular;      /* column of a vanishing pivot */
@@ -47,6 +50,9 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm);
 
 /* Factors of the tangent: CONVERGED, FAILED where it is singular, ERROR. */
 enum outcome solver_factor(struct solver *s, struct hobe_error *err);
+
+/* Negative eigenvalues of the tangent that was factored last; -1 where that is not known. */
+long solver_negative(const struct solver *s);
 
 /* x = factor K^-1 field by the last factors. */
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,

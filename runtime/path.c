@@ -132,13 +132,13 @@ static enum outcome count_and_factor(struct follower *f, struct hobe_error *err)
     const int tied = inertia_multipliers(s->model, &spare) > 0;
     solver_evaluate(s, f->lambda, 1);
     if (tied && f->symmetric) {
-        if (inertia_behind_ties(s->model, s->Ax, s->scale, &negative, err))
+        if (inertia_behind_ties(s->model, s->K.value, s->scale, &negative, err))
             return ERROR;
         solver_evaluate(s, f->lambda, 1);
     }
     const enum outcome outcome = solver_factor(s, err);
     if (outcome == CONVERGED && !tied && f->symmetric)
-        negative = hobe_linsolve_negative(s->model->solver);
+        negative = solver_negative(s);
     s->info.negative = (int)negative;
     return outcome;
 }
