@@ -37,9 +37,9 @@ INLINE void weigh_rows(const int wide, long depth, long stride, long j, const do
             b[k * wide + c] = d[k] * a[k * stride + j + c];
 }
 
-/* l[c][r], r > c, and d[c], of the diagonal block of columns j ...: zero elsewhere. */
+/* L of the diagonal block of columns j ..., l[c][r], zero for r <= c; its d[c] and 1/d[c]. */
 INLINE void factor_diagonal(const int wide, long stride, long j, const double *a, const double *b,
-                            double l[][PANEL_WIDE], double *d)
+                            double l[][PANEL_WIDE], double *d, double *inverse)
 {
     hobe_real sum[HEAD][PANEL_WIDE];
     double t[PANEL_WIDE][HEAD * LANES];
@@ -50,12 +50,16 @@ INLINE void factor_diagonal(const int wide, long stride, long j, const double *a
     for (int c = 0; c < wide; c++)
         for (int h = 0; h < HEAD; h++)
             memcpy(t[c] + h * LANES, &sum[h][c], sizeof sum[h][c]);
+#pragma GCC unroll 6
     for (int c = 0; c < wide; c++) {
-        const double inverse = 1 / t[c][c];
         d[c] = t[c][c];
+        inverse[c] = 1 / d[c];
+#pragma GCC unroll 6
         for (int r = 0; r < wide; r++)
-            l[c][r] = r > c ? t[c][r] * inverse : 0;
+            l[c][r] = r > c ? t[c][r] * inverse[c] : 0;
+#pragma GCC unroll 6
         for (int e = c + 1; e < wide; e++)
+#pragma GCC unroll 6
             for (int r = e; r < wide; r++)
                 t[e][r] -= t[c][r] * l[c][e];
     }
@@ -70,8 +74,11 @@ INLINE void solve_rows(const int tall, const int wide, long stride, long j, doub
         for (int t = 0; t < tall; t++)
             sum[t][c] = *(const hobe_real *)(a + (j + c) * stride + t * LANES);
     subtract_products(tall, wide, j, stride, a, b, sum);
+#pragma GCC unroll 6
     for (int c = 0; c < wide; c++)
+#pragma GCC unroll 2
         for (int t = 0; t < tall; t++) {
+#pragma GCC unroll 6
             for (int e = c + 1; e < wide; e++)
                 sum[t][e] -= sum[t][c] * l[c][e];
             *(hobe_real *)(a + (j + c) * stride + t * LANES) = sum[t][c] * inverse[c];
@@ -82,9 +89,7 @@ INLINE void factor_columns(const int wide, long stride, long j, double *a, doubl
 {
     double l[PANEL_WIDE][PANEL_WIDE], inverse[PANEL_WIDE];
     weigh_rows(wide, j, stride, j, a, d, b);
-    factor_diagonal(wide, stride, j, a, b, l, d + j);
-    for (int c = 0; c < wide; c++)
-        inverse[c] = 1 / d[j + c];
+    factor_diagonal(wide, stride, j, a, b, l, d + j, inverse);
     long i = (j + wide) / LANES * LANES;
     for (; i + TALL * LANES <= stride; i += TALL * LANES)
         solve_rows(TALL, wide, stride, j, a + i, b, l, inverse);
@@ -135,23 +140,44 @@ static void update(long rows, long columns, long stride, const double *a, const 
         update_columns(PANEL_STEP, columns, stride, j, a, d, w + (j - columns) * stride, room);
 }
 
+/* Three columns at once; their own 3 x 3 triangle first. */
 static void forward(long columns, long stride, const double *a, double *v)
 {
-    for (long k = 0; k < columns; k++) {
-        const double x = v[k];
+    for (long k = 0; k < columns; k += PANEL_STEP) {
+        const double *l0 = a + k * stride, *l1 = l0 + stride, *l2 = l1 + stride;
+        const double x0 = v[k], x1 = v[k + 1] - l0[k + 1] * x0;
+        const double x2 = v[k + 2] - l0[k + 2] * x0 - l1[k + 2] * x1;
         for (long i = k / LANES * LANES; i < stride; i += LANES)
-            *(hobe_real *)(v + i) -= x * *(const hobe_real *)(a + k * stride + i);
+            *(hobe_real *)(v + i) -= x0 * *(const hobe_real *)(l0 + i) +
+                                     x1 * *(const hobe_real *)(l1 + i) +
+                                     x2 * *(const hobe_real *)(l2 + i);
+        v[k] = x0;
+        v[k + 1] = x1;
+        v[k + 2] = x2;
     }
 }
 
 static void backward(long columns, long stride, const double *a, double *v)
 {
-    for (long k = columns; k-- > 0;) {
-        hobe_real sum = {0};
-        for (long i = k / LANES * LANES; i < stride; i += LANES)
-            sum += *(const hobe_real *)(v + i) * *(const hobe_real *)(a + k * stride + i);
-        for (int t = 0; t < LANES; t++)
-            v[k] -= sum[t];
+    for (long k = columns - PANEL_STEP; k >= 0; k -= PANEL_STEP) {
+        const double *l0 = a + k * stride, *l1 = l0 + stride, *l2 = l1 + stride;
+        double x0 = v[k], x1 = v[k + 1], x2 = v[k + 2];
+        hobe_real s0 = {0}, s1 = {0}, s2 = {0};
+        v[k] = v[k + 1] = v[k + 2] = 0; /* the triangle comes last */
+        for (long i = k / LANES * LANES; i < stride; i += LANES) {
+            const hobe_real x = *(const hobe_real *)(v + i);
+            s0 += x * *(const hobe_real *)(l0 + i);
+            s1 += x * *(const hobe_real *)(l1 + i);
+            s2 += x * *(const hobe_real *)(l2 + i);
+        }
+        for (int t = 0; t < LANES; t++) {
+            x0 -= s0[t];
+            x1 -= s1[t];
+            x2 -= s2[t];
+        }
+        v[k + 2] = x2;
+        v[k + 1] = x1 - l1[k + 2] * x2;
+        v[k] = x0 - l0[k + 1] * v[k + 1] - l0[k + 2] * x2;
     }
 }
 
