@@ -5,6 +5,11 @@
 
 #include "model.h"
 
+/* Orders the batches, and makes room for each thread that sums them: as many as OpenMP gives, where
+ * the model is large enough. */
+enum hobe_status assemble_schedule(hobe_model *model, struct hobe_error *err);
+void assemble_free(struct schedule *schedule);
+
 /* f[vectors][3] = dU/dq of all elements in state u, N; and K the tangent stiffness of the unknowns,
  * unless NULL.  Both overwritten. */
 void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K);

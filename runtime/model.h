@@ -45,6 +45,21 @@ struct workspace { /* of one batch, large enough for every beam */
     hobe_lanes *q0, *u, *f, *K, *scratch;
 };
 
+/* The batches of all beams in the order of assembly: those of one colour share no vector, so that
+ * threads may take them at once, and sums are the same to the last digit for any number of threads.
+ * The last colour is of those left over, one after the other. */
+enum { COLOURS = 64 };
+
+struct schedule {
+    struct task {
+        const struct beam *beam;
+        const struct batch *batch;
+    } * task;
+    long first[COLOURS + 1];
+    int threads;
+    struct workspace *work; /* [threads] */
+};
+
 struct hobe_model {
     struct list beams, clamps, forces, moments, joins, joints; /* struct beam, hobe_clamp, ... */
     struct list ties; /* struct tie (constraint.h), of corners and joints */
@@ -62,7 +77,7 @@ struct hobe_model {
     int *stride[LAYOUTS];  /* [unknowns] */
     hobe_fronts *fronts;   /* NULL where tangents are not symmetric, or ties border them */
     hobe_linsolve *solver; /* NULL until pattern_columns */
-    struct workspace work;
+    struct schedule schedule;
     char **note;
     size_t notes;
     double setup;

@@ -242,7 +242,12 @@ enum hobe_status pattern_matrix(const struct hobe_model *model, enum layout layo
 
 void pattern_clear(const struct hobe_model *model, const struct matrix *matrix)
 {
-    memset(matrix->value, 0, values(model, matrix->layout) * sizeof *matrix->value);
+    const size_t size = values(model, matrix->layout), share = 1 << 16;
+    const int threads = model->schedule.threads;
+    (void)threads; /* without OpenMP */
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (size_t i = 0; i < size; i += share)
+        memset(matrix->value + i, 0, (size - i < share ? size - i : share) * sizeof(double));
 }
 
 static void scale_columns(const struct pattern *p, const double *Ax, double *scale)
