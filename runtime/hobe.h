@@ -496,6 +496,10 @@ struct hobe_solution_info {
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                         stable; -1: not counted, as by hobe_static */
     double residual; /* of the last iteration */
+    double change;   /* of the displacements by one more iteration, relative to their size, in the
+                        norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
+                        and round-off leave open; NaN where that stiffness has no factors, 0 on a path
+                        or without load */
     double energy;   /* strain energy, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */

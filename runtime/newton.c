@@ -28,6 +28,9 @@ static const double DIVERGED = 1e12;
  * that has won every digit there is. */
 static const double ROUND_OFF = 8 * DBL_EPSILON;
 
+/* Displacements that one more iteration would change by more than this share are none. */
+static const double LOST = 0.01;
+
 void solver_log(struct solver *s, const char *note)
 {
     s->now.note = note;
@@ -63,6 +66,15 @@ double solver_norm(const struct solver *s, const double *field, int p)
                 const double x = p > 0 ? D * field[3 * v + a] : field[3 * v + a] / D;
                 sum += x * x;
             }
+    return sqrt(sum);
+}
+
+/* |D^-1 du| of the correction. */
+static double correction_norm(const struct solver *s)
+{
+    double sum = 0;
+    for (long i = 0; i < 3 * s->model->unknowns; i++)
+        sum += s->x[i] * s->x[i] / (s->scale[i] * s->scale[i]);
     return sqrt(sum);
 }
 
@@ -175,6 +187,24 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
     return GOING_ON;
 }
 
+/* Measures what one more iteration would change: a residual of round-off may move a slender beam
+ * far.  FAILED where that leaves nothing. */
+static enum outcome measure_change(struct solver *s, struct hobe_error *err)
+{
+    const double size = solver_norm(s, s->u, -1);
+    const enum outcome outcome = size > 0 ? solver_factor(s, err) : FAILED;
+    s->info.change = size > 0 ? NAN : 0;
+    if (outcome != CONVERGED)
+        return outcome == ERROR ? ERROR : CONVERGED;
+    if (solver_solve(s, s->r, -1, s->x, err))
+        return ERROR;
+    s->info.change = correction_norm(s) / size;
+    if (s->info.change <= LOST)
+        return CONVERGED;
+    solver_log(s, "lost in round-off");
+    return FAILED;
+}
+
 /* Newton from the current state to equilibrium at a load factor. */
 static enum outcome iterate(struct solver *s, double factor, int line_search,
                             struct hobe_error *err)
@@ -187,7 +217,7 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
         const double norm = solver_norm(s, s->r, 1);
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
-            return outcome;
+            return outcome == CONVERGED ? measure_change(s, err) : outcome;
         last_norm = norm;
         outcome = solver_factor(s, err);
         if (outcome != CONVERGED)
