@@ -10,7 +10,10 @@
 #include <omp.h>
 #endif
 
-enum { BATCHES_PER_THREAD = 32 }; /* fewer are done before a second thread wakes up */
+enum {
+    BATCHES_PER_TASK = 16, /* neighbours that find each other's panels in the cache */
+    TASKS_PER_THREAD = 2   /* fewer are done before a second thread wakes up */
+};
 
 static int most_threads(void)
 {
@@ -32,31 +35,40 @@ static int this_thread(void)
 
 /* ---- schedule -------------------------------------------------------------------------------- */
 
-/* The first colour that no batch around has, the last one where all others are taken: used[] holds
+static int tasks_of(const struct beam *beam)
+{
+    return (beam->batches + BATCHES_PER_TASK - 1) / BATCHES_PER_TASK;
+}
+
+/* The first colour that no task around has, the last one where all others are taken: used[] holds
  * a bit for each colour around a vector. */
 static int find_colour(const struct hobe_model *model, const struct task *task, uint64_t *used)
 {
-    const struct batch *batch = task->batch;
-    const int V = task->beam->kernel->vectors;
+    const struct batch *batch = task->beam->batch + task->first, *last = batch + task->count - 1;
+    const int V = task->beam->kernel->vectors, end = last->first + last->count;
     uint64_t around = 0;
     int colour = 0;
-    for (int i = 0; i < batch->count * V; i++)
-        around |= used[model_vector(model, task->beam, batch->first + i / V, i % V)];
+    for (int i = V * batch->first; i < V * end; i++)
+        around |= used[model_vector(model, task->beam, i / V, i % V)];
     while (colour < COLOURS - 1 && around >> colour & 1)
         colour++;
-    for (int i = 0; i < batch->count * V; i++)
-        used[model_vector(model, task->beam, batch->first + i / V, i % V)] |= (uint64_t)1 << colour;
+    for (int i = V * batch->first; i < V * end; i++)
+        used[model_vector(model, task->beam, i / V, i % V)] |= (uint64_t)1 << colour;
     return colour;
 }
 
-/* Sorts the batches by colour; each keeps its place among those of its own. */
+/* Sorts the tasks by colour; each keeps its place among those of its own. */
 static void sort_tasks(const struct hobe_model *model, long tasks, struct task *all,
                        unsigned char *colour, uint64_t *used, struct schedule *s)
 {
     long at[COLOURS], next = 0;
     for (size_t i = 0; i < model->beams.count; i++)
-        for (int b = 0; b < model_beam(model, i)->batches; b++)
-            all[next++] = (struct task){model_beam(model, i), model_beam(model, i)->batch + b};
+        for (int t = 0; t < tasks_of(model_beam(model, i)); t++) {
+            const struct beam *beam = model_beam(model, i);
+            const int first = t * BATCHES_PER_TASK, left = beam->batches - first;
+            all[next++] =
+                (struct task){beam, first, left < BATCHES_PER_TASK ? left : BATCHES_PER_TASK};
+        }
     for (long t = 0; t < tasks; t++) {
         colour[t] = (unsigned char)find_colour(model, all + t, used);
         s->first[colour[t] + 1]++;
@@ -114,8 +126,8 @@ enum hobe_status assemble_schedule(hobe_model *model, struct hobe_error *err)
     struct schedule *s = &model->schedule;
     long tasks = 0;
     for (size_t i = 0; i < model->beams.count; i++)
-        tasks += model_beam(model, i)->batches;
-    const long useful = 1 + tasks / BATCHES_PER_THREAD;
+        tasks += tasks_of(model_beam(model, i));
+    const long useful = 1 + tasks / TASKS_PER_THREAD;
     s->threads = useful < most_threads() ? (int)useful : most_threads();
     const enum hobe_status status = order_tasks(model, tasks, s, err);
     return status ? status : open_workspaces(model, s, err);
@@ -216,7 +228,8 @@ struct assembly {
     const struct matrix *K;
 };
 
-typedef void batch_work(const struct assembly *, const struct task *, struct workspace *);
+typedef void batch_work(const struct assembly *, const struct beam *, const struct batch *,
+                        struct workspace *);
 
 static void each_batch(const struct assembly *assembly, batch_work *work)
 {
@@ -225,23 +238,27 @@ static void each_batch(const struct assembly *assembly, batch_work *work)
         const int threads = c < COLOURS - 1 ? s->threads : 1;
         (void)threads; /* without OpenMP */
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-        for (long t = s->first[c]; t < s->first[c + 1]; t++)
-            work(assembly, s->task + t, s->work + this_thread());
+        for (long t = s->first[c]; t < s->first[c + 1]; t++) {
+            const struct task *task = s->task + t;
+            for (int b = 0; b < task->count; b++)
+                work(assembly, task->beam, task->beam->batch + task->first + b,
+                     s->work + this_thread());
+        }
     }
 }
 
-static void add_batch(const struct assembly *a, const struct task *task, struct workspace *work)
+static void add_batch(const struct assembly *a, const struct beam *beam, const struct batch *batch,
+                      struct workspace *work)
 {
-    const struct hobe_kernel *kernel = task->beam->kernel;
-    const struct batch *batch = task->batch;
+    const struct hobe_kernel *kernel = beam->kernel;
     const struct hobe_invariants *inv = hobe_element_invariants(batch->law);
-    gather(a->model, task->beam, batch, a->u, work->u);
+    gather(a->model, beam, batch, a->u, work->u);
     if (a->K) {
         kernel->tangent(inv, batch->q0, work->u, work->f, work->K, work->scratch);
-        scatter_tangent(a->model, task->beam, batch, work->K, a->K);
+        scatter_tangent(a->model, beam, batch, work->K, a->K);
     } else
         kernel->force(inv, batch->q0, work->u, work->f, work->scratch);
-    scatter_force(a->model, task->beam, batch, work->f, a->f);
+    scatter_force(a->model, beam, batch, work->f, a->f);
 }
 
 void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K)
@@ -252,17 +269,17 @@ void assemble(const struct hobe_model *model, const double *u, double *f, const 
     each_batch(&(struct assembly){model, u, NULL, f, K}, add_batch);
 }
 
-static void add_strained(const struct assembly *a, const struct task *task, struct workspace *work)
+static void add_strained(const struct assembly *a, const struct beam *beam,
+                         const struct batch *batch, struct workspace *work)
 {
-    const struct hobe_kernel *kernel = task->beam->kernel;
-    const struct batch *batch = task->batch;
-    gather(a->model, task->beam, batch, a->u, work->q0);
-    gather(a->model, task->beam, batch, a->v, work->u);
+    const struct hobe_kernel *kernel = beam->kernel;
+    gather(a->model, beam, batch, a->u, work->q0);
+    gather(a->model, beam, batch, a->v, work->u);
     for (int k = 0; k < 3 * kernel->vectors; k++)
         work->q0[k] += batch->q0[k] - work->u[k];
     kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f, work->K,
                     work->scratch);
-    scatter_tangent(a->model, task->beam, batch, work->K, a->K);
+    scatter_tangent(a->model, beam, batch, work->K, a->K);
 }
 
 void assemble_strained(const struct hobe_model *model, const double *u, const double *v,

@@ -45,16 +45,18 @@ struct workspace { /* of one batch, large enough for every beam */
     hobe_lanes *q0, *u, *f, *K, *scratch;
 };
 
-/* The batches of all beams in the order of assembly: those of one colour share no vector, so that
- * threads may take them at once, and sums are the same to the last digit for any number of threads.
- * The last colour is of those left over, one after the other. */
+/* Runs of neighbouring batches in the order of assembly: those of one colour share no vector, so
+ * that threads may take them at once, and sums are the same to the last digit for any number of
+ * threads.  The last colour is of those left over, one after the other. */
 enum { COLOURS = 64 };
 
+struct task {
+    const struct beam *beam;
+    int first, count; /* batches */
+};
+
 struct schedule {
-    struct task {
-        const struct beam *beam;
-        const struct batch *batch;
-    } * task;
+    struct task *task;
     long first[COLOURS + 1];
     int threads;
     struct workspace *work; /* [threads] */
