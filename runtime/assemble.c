@@ -110,13 +110,14 @@ static enum hobe_status open_workspaces(const struct hobe_model *model, struct s
     s->work = hobe_alloc((size_t)s->threads, sizeof *s->work, err);
     for (int t = 0; s->work && t < s->threads; t++) {
         struct workspace *w = s->work + t;
-        w->q0 = hobe_alloc(9 * V + blocks + scratch, sizeof(hobe_lanes), err);
+        w->q0 = hobe_alloc(9 * V + 2 * blocks + scratch, sizeof(hobe_lanes), err);
         if (!w->q0)
             return HOBE_NO_MEMORY;
         w->u = w->q0 + 3 * V;
         w->f = w->u + 3 * V;
         w->K = w->f + 3 * V;
-        w->scratch = w->K + blocks;
+        w->more = w->K + blocks;
+        w->scratch = w->more + blocks;
     }
     return s->work ? HOBE_OK : HOBE_NO_MEMORY;
 }
@@ -247,26 +248,50 @@ static void each_batch(const struct assembly *assembly, batch_work *work)
     }
 }
 
+/* K -= the geometric stiffness of the stresses of the strains v v/2.  These are -v v/2 on the way
+ * from -v to 0, where the rest of the stiffness vanishes. */
+static void expect_stresses(const struct assembly *a, const struct beam *beam,
+                            const struct batch *batch, struct workspace *work)
+{
+    const int V = beam->kernel->vectors;
+    gather(a->model, beam, batch, a->v, work->u);
+    for (int k = 0; k < 3 * V; k++)
+        work->q0[k] = -work->u[k];
+    beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f,
+                          work->more, work->scratch);
+    for (int k = 0; k < 9 * hobe_pair(V, 0); k++)
+        work->K[k] += work->more[k];
+}
+
 static void add_batch(const struct assembly *a, const struct beam *beam, const struct batch *batch,
                       struct workspace *work)
 {
     const struct hobe_kernel *kernel = beam->kernel;
     const struct hobe_invariants *inv = hobe_element_invariants(batch->law);
     gather(a->model, beam, batch, a->u, work->u);
-    if (a->K) {
+    if (a->K)
         kernel->tangent(inv, batch->q0, work->u, work->f, work->K, work->scratch);
-        scatter_tangent(a->model, beam, batch, work->K, a->K);
-    } else
+    else
         kernel->force(inv, batch->q0, work->u, work->f, work->scratch);
     scatter_force(a->model, beam, batch, work->f, a->f);
+    if (a->K && a->v && kernel->trilinear) /* the energy is quartic */
+        expect_stresses(a, beam, batch, work);
+    if (a->K)
+        scatter_tangent(a->model, beam, batch, work->K, a->K);
 }
 
-void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K)
+void assemble_expecting(const struct hobe_model *model, const double *u, const double *v, double *f,
+                        const struct matrix *K)
 {
     memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
     if (K)
         pattern_clear(model, K);
-    each_batch(&(struct assembly){model, u, NULL, f, K}, add_batch);
+    each_batch(&(struct assembly){model, u, v, f, K}, add_batch);
+}
+
+void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K)
+{
+    assemble_expecting(model, u, NULL, f, K);
 }
 
 static void add_strained(const struct assembly *a, const struct beam *beam,

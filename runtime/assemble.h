@@ -14,6 +14,15 @@ void assemble_free(struct schedule *schedule);
  * unless NULL.  Both overwritten. */
 void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K);
 
+/* The same, but K holds the stresses that were expected of a step v, which has led to u: those of
+ * strains linear in v, without what v has added to them by its square.  In a thin beam that turns
+ * this is large, false, and gone after the next iteration; without it Newton's iteration does not
+ * swing between turning and stretching.  It is Newton's still, with the stresses as unknowns of
+ * their own (mixed integration points: Magisano, Leonetti & Garcea 2017, Comput. Methods Appl.
+ * Mech. Eng. 313).  Elements whose energy is not quartic keep their tangent. */
+void assemble_expecting(const struct hobe_model *model, const double *u, const double *v, double *f,
+                        const struct matrix *K);
+
 /* f[V][3] = dU/dq of element e of a beam alone, N, in memory of its own. */
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
                                   const double *u, double *f, struct hobe_error *err);

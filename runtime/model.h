@@ -42,7 +42,7 @@ struct matrix {
 };
 
 struct workspace { /* of one batch, large enough for every beam */
-    hobe_lanes *q0, *u, *f, *K, *scratch;
+    hobe_lanes *q0, *u, *f, *K, *more, *scratch; /* more: a second K */
 };
 
 /* Runs of neighbouring batches in the order of assembly: those of one colour share no vector, so

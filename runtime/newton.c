@@ -92,15 +92,20 @@ static double work_of(const struct solver *s)
 
 static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
-    assemble(s->model, s->u, s->r, K);
+    assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, K);
     constraint_add(s->model, s->u, s->r, K);
     load_subtract(s->model, s->u, factor, s->r, K);
 }
 
-void solver_evaluate(struct solver *s, double factor, int with_tangent)
+void solver_evaluate(struct solver *s, double factor, enum tangent tangent)
 {
-    evaluate(s, factor, with_tangent ? &s->K : NULL);
     s->factor = factor;
+    s->expecting = tangent == NEXT_TANGENT;
+    for (long i = 0; s->expecting && i < 3 * s->model->vectors; i++)
+        s->step[i] = s->u[i] - s->turned[i];
+    if (tangent)
+        memcpy(s->turned, s->u, (size_t)(3 * s->model->vectors) * sizeof *s->u);
+    evaluate(s, factor, tangent ? &s->K : NULL);
 }
 
 /* ---- one step -------------------------------------------------------------------------------- */
@@ -159,11 +164,11 @@ static void search_line(struct solver *s, double factor)
     const double first = fabs(work_of(s));
     double taken = 1;
     solver_move(s, s->x, 1);
-    solver_evaluate(s, factor, 0);
+    solver_evaluate(s, factor, NO_TANGENT);
     for (int cut = 0; cut < LINE_SEARCH_CUTS && !(fabs(work_of(s)) <= 0.9 * first); cut++) {
         solver_move(s, s->x, -taken / 2);
         taken /= 2;
-        solver_evaluate(s, factor, 0);
+        solver_evaluate(s, factor, NO_TANGENT);
     }
     s->now.line = taken;
 }
@@ -213,7 +218,7 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
     s->now.load = factor;
     s->now.line = s->now.energy = 1;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
-        solver_evaluate(s, factor, 1);
+        solver_evaluate(s, factor, s->now.iteration ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
@@ -337,7 +342,7 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 /* D = diag(K)^(-1/2) and the norm of the load, both at the reference. */
 static void set_scale(struct solver *s)
 {
-    solver_evaluate(s, 1, 1);
+    solver_evaluate(s, 1, TRUE_TANGENT);
     pattern_scale(s->model, &s->K, s->scale);
     s->load_norm = solver_norm(s, s->r, 1); /* F = 0 at the reference */
 }
@@ -347,10 +352,12 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     const size_t vectors = (size_t)(3 * s->model->vectors), n = (size_t)(3 * s->model->unknowns);
     s->u = hobe_alloc(vectors, sizeof *s->u, err);
     s->start = hobe_alloc(vectors, sizeof *s->start, err);
+    s->turned = hobe_alloc(vectors, sizeof *s->turned, err);
+    s->step = hobe_alloc(vectors, sizeof *s->step, err);
     s->r = hobe_alloc(vectors, sizeof *s->r, err);
     s->x = hobe_alloc(n, sizeof *s->x, err);
     s->scale = hobe_alloc(n, sizeof *s->scale, err);
-    if (!s->u || !s->start || !s->r || !s->x || !s->scale)
+    if (!s->u || !s->start || !s->turned || !s->step || !s->r || !s->x || !s->scale)
         return HOBE_NO_MEMORY;
     return pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err);
 }
@@ -359,6 +366,8 @@ void solver_close(struct solver *s)
 {
     hobe_free(s->u);
     hobe_free(s->start);
+    hobe_free(s->turned);
+    hobe_free(s->step);
     hobe_free(s->r);
     hobe_free(s->K.value);
     hobe_free(s->pivoting.value);

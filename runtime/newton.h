@@ -18,6 +18,9 @@ struct solver {
     double *r;       /* [vectors][3] residual F - factor Q */
     struct matrix K; /* tangent of the last evaluation, or its factors where they are fronts */
     double factor;   /* of the load there */
+    double *turned;  /* [vectors][3] state of the last tangent */
+    double *step;    /* [vectors][3] from the tangent before, where this one expects it */
+    int expecting;
     struct matrix pivoting; /* the tangent once more where fronts need it, in columns */
     enum layout factored;   /* whose factors are the last */
     double *x;              /* [unknowns] right-hand side and correction */
@@ -39,8 +42,10 @@ void solver_close(struct solver *s);
 /* One line of the log, with a note. */
 void solver_log(struct solver *s, const char *note);
 
-/* The residual in the current state; and the tangent when asked for. */
-void solver_evaluate(struct solver *s, double factor, int with_tangent);
+/* The residual in the current state; and the tangent when asked for, the true one or that which is
+ * best for the next iteration, with the stresses expected of the last. */
+enum tangent { NO_TANGENT, TRUE_TANGENT, NEXT_TANGENT };
+void solver_evaluate(struct solver *s, double factor, enum tangent tangent);
 
 /* |D^p field| over the unknowns, p = 1 for forces, -1 for displacements; NaN where the field is. */
 double solver_norm(const struct solver *s, const double *field, int p);
