@@ -28,6 +28,9 @@ static const double DIVERGED = 1e12;
  * that has won every digit there is. */
 static const double ROUND_OFF = 8 * DBL_EPSILON;
 
+/* Below this share of the first residual of a step, its square adds no stress worth a thought. */
+static const double NEAR = 0.1;
+
 /* Displacements that one more iteration would change by more than this share are none. */
 static const double LOST = 0.01;
 
@@ -214,12 +217,15 @@ static enum outcome measure_change(struct solver *s, struct hobe_error *err)
 static enum outcome iterate(struct solver *s, double factor, int line_search,
                             struct hobe_error *err)
 {
-    double first_energy = 0, last_norm = INFINITY;
+    double first_energy = 0, first_norm = 0, last_norm = INFINITY;
     s->now.load = factor;
     s->now.line = s->now.energy = 1;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
-        solver_evaluate(s, factor, s->now.iteration ? NEXT_TANGENT : TRUE_TANGENT);
+        const int far = s->now.iteration > 0 && last_norm > NEAR * first_norm;
+        solver_evaluate(s, factor, far ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
+        if (s->now.iteration == 0)
+            first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
             return outcome == CONVERGED ? measure_change(s, err) : outcome;
