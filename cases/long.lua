@@ -1,8 +1,8 @@
 -- A long beam in bays: clamped at every twentieth element, under its weight.  Each bay is a beam
 -- clamped at both ends, whose middle sags by w l^4/384 EI + w l^2/8 G A k (Timoshenko).
 --
--- What counts here is size: `./hobe run cases/long.lua n=100000` has 1.9 million unknowns, and takes
--- a few seconds and 1.2 GB.  The figures for one element should hardly depend on n.
+-- What counts here is size: `./hobe run cases/long.lua n=100000` has 2.3 million unknowns, and takes
+-- some seconds and 1.2 GB.  The figures for one element should hardly depend on n.
 local hobe = require "hobe"
 local n = hobe.param("n", 2000)                                     -- elements
 
@@ -35,7 +35,7 @@ end
 assert(worst < 1e-6, "bays differ by more than 1e-6")               -- they are all the same
 
 hobe.report{
-  sag = { first, "m", expect = theory, within = 1e-4 },             -- clamps hold Poisson's swelling
+  sag = { first, "m", expect = theory, within = 1e-4 },            -- clamps hold Poisson's swelling
   largest_difference = worst,
   unknowns = r.unknowns,
   setup = { r.setup_seconds/n*1e6, "us per element" },

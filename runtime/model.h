@@ -41,7 +41,7 @@ struct matrix {
     double *value;
 };
 
-struct workspace { /* of one batch, large enough for every beam */
+struct workspace {                               /* of one batch, large enough for every beam */
     hobe_lanes *q0, *u, *f, *K, *more, *scratch; /* more: a second K */
 };
 

@@ -2,8 +2,8 @@
 /* Dense symmetric elimination of a few columns: what a front does (fronts.h).
  *
  * A panel holds the first `columns` columns of a symmetric matrix of `rows` rows, by columns with a
- * stride that is a multiple of PANEL_ALIGN, its upper triangle and its spare rows zero. Elimination
- * without pivoting makes it
+ * stride that is a multiple of PANEL_ALIGN, zero above its diagonal blocks and in its spare rows.
+ * Elimination without pivoting makes it
  *
  *     [A11     ]   [L11    ] [D   ] [L11' L21']
  *     [A21  A22] = [L21  I ] [   S] [      I  ],     S = A22 - L21 D L21'.
