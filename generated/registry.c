@@ -150,3 +150,16 @@ const struct hobe_kernel *const *hobe_kernels(void)
 #endif
     return portable;
 }
+
+const char *hobe_machine(void)
+{
+#ifdef HOBE_AVX512
+    if (hobe_kernels() == avx512)
+        return "avx512";
+#endif
+#ifdef HOBE_AVX2
+    if (hobe_kernels() == avx2)
+        return "avx2";
+#endif
+    return "portable";
+}

@@ -47,6 +47,12 @@ const struct hobe_kernel *const *hobe_kernels(void)
 {choices}
     return portable;
 }}
+
+const char *hobe_machine(void)
+{{
+{names}
+    return "portable";
+}}
 """
 
 TABLE = """{externs}
@@ -61,6 +67,10 @@ CHOICE = """    if (allowed("{machine}") && {runs})
         return {machine};
 """
 
+NAME = """    if (hobe_kernels() == {machine})
+        return "{machine}";
+"""
+
 MACHINES = {  # the best first: what a processor must have
     "avx512": ("avx512f", "fma"),
     "avx2": ("avx2", "fma"),
@@ -71,7 +81,7 @@ MACHINES = {  # the best first: what a processor must have
 def registry_file(elements):
     """The tables of built-in kernels, one for each machine they are compiled for."""
     symbols = ["hobe_kernel_" + identifier(e.declaration.name) for e in elements]
-    tables, choices = [], []
+    tables, choices, names = [], [], []
     for machine, features in MACHINES.items():
         suffix = f"_{machine}" if features else ""
         table = TABLE.format(
@@ -82,7 +92,9 @@ def registry_file(elements):
         tables.append(f"{condition}{table}#endif\n" if features else table)
         if features:
             choices.append(f"{condition}{CHOICE.format(machine=machine, runs=runs)}#endif")
-    return REGISTRY.format(tables="\n".join(tables), choices="\n".join(choices))
+            names.append(f"{condition}{NAME.format(machine=machine)}#endif")
+    return REGISTRY.format(tables="\n".join(tables), choices="\n".join(choices),
+                           names="\n".join(names))
 
 
 def _head(element, plan):

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fronts.h"
 
+#include "kernel.h"
 #include "linsolve.h"
 #include "panel.h"
 
@@ -267,7 +268,7 @@ static enum hobe_status make_room_for_one(hobe_fronts *f, struct hobe_error *err
 static const struct panel_functions *choose_panel(void)
 {
 #ifdef HOBE_AVX2
-    if (!getenv("HOBE_PORTABLE") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    if (strcmp(hobe_machine(), "portable") != 0)
         return &panel_avx2;
 #endif
     return &panel_portable;

@@ -257,6 +257,9 @@ struct hobe_kernel {
  * one that HOBE_MACHINE in the environment names (portable, avx2, avx512), if it can run that. */
 const struct hobe_kernel *const *hobe_kernels(void);
 
+/* The machine that table is of: "portable", "avx2" or "avx512". */
+const char *hobe_machine(void);
+
 /* ---- for generated code only ---------------------------------------------------------------- */
 
 /* A register's worth of lanes.  A kernel works through a batch in HOBE_PARTS passes, each on values

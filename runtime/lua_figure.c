@@ -214,7 +214,7 @@ static int make_plot(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &plot_schema, &read);
     hobe_lua_check_file(L, "plot", read.file, ".png");
-    plot = (struct hobe_plot){read.title, read.xlabel, read.ylabel, 0, NULL};
+    plot = (struct hobe_plot){.title = read.title, .xlabel = read.xlabel, .ylabel = read.ylabel};
     plot.series = push_series(L, &plot.count);
     if (!hobe_lua_context(L)->folder)
         return 0;

@@ -4,7 +4,7 @@
  * Standard output holds results and nothing else; whatever a script prints goes to standard error.
  * An error is one line on standard error and the exit status 1; 2 for a wrong command line. */
 #define _GNU_SOURCE
-#include "lua_hobe.h"
+#include "main.h"
 
 #include "element.h"
 
@@ -26,13 +26,19 @@ static const char usage[] =
     "      --trust                      no sandbox, no limits: for scripts of your own\n"
     "  hobe elements                    list the elements built in\n"
     "      --explain NAME               one of them in detail\n"
+    "  hobe bench                       time elements and scenes beside the machine's peak\n"
+    "      --element NAME[,NAME...]     these, also in long beams (all; MGD30w in long beams)\n"
+    "      --quick                      a look: 3333, MGD30w and 34X3, a tenth of the time\n"
+    "      --seconds S                  for each race (0.5)\n"
+    "      --large                      long beams to 100,000 elements (10,000)\n"
+    "      --out DIR                    write bench.csv and pictures to a folder\n"
+    "      --format table|json|csv      how results are printed (table)\n"
     "  hobe docs                        the reference of the Lua module, as Markdown\n"
     "  hobe version | help\n";
 
 /* ---- errors --------------------------------------------------------------------------------- */
 
-/* One line on standard error, whatever the message holds. */
-static int complain(const char *message, int status)
+int complain(const char *message, int status)
 {
     fputs("hobe: ", stderr);
     for (const char *c = message; *c; c++)
@@ -41,7 +47,7 @@ static int complain(const char *message, int status)
     return status;
 }
 
-static int complain_usage(const char *format, const char *word)
+int complain_usage(const char *format, const char *word)
 {
     char message[300];
     snprintf(message, sizeof message, format, word);
@@ -181,8 +187,7 @@ static int start(struct run *run)
 
 /* ---- the command line ----------------------------------------------------------------------- */
 
-/* The value of option `name` at argv[*i] ("--name value" or "--name=value"), or NULL. */
-static const char *option(char **argv, int *i, const char *name)
+char *option(char **argv, int *i, const char *name)
 {
     size_t size = strlen(name);
     if (strncmp(argv[*i], name, size))
@@ -203,7 +208,7 @@ static int read_limit(const char *text, const char *name, double *value)
     return complain_usage("%s must be a number >= 0 (0: no limit)", name);
 }
 
-static int read_format(const char *text, enum hobe_lua_format *format)
+int read_format(const char *text, enum hobe_lua_format *format)
 {
     static const char *const formats[] = {"table", "json", "csv"};
     for (int i = 0; i < 3; i++) {
@@ -269,7 +274,7 @@ static int command_run(int argc, char **argv)
 
 /* ---- hobe elements -------------------------------------------------------------------------- */
 
-static int print_text(struct hobe_text *text)
+int print_text(struct hobe_text *text)
 {
     int failed = text->status || fputs(text->at, stdout) < 0 || fflush(stdout);
     hobe_text_free(text);
@@ -385,6 +390,8 @@ int main(int argc, char **argv)
         return command_run(argc, argv);
     if (!strcmp(command, "elements"))
         return command_elements(argc, argv);
+    if (!strcmp(command, "bench"))
+        return command_bench(argc, argv);
     if (!strcmp(command, "docs"))
         hobe_lua_print_docs(stdout);
     else if (!strcmp(command, "version") || !strcmp(command, "--version"))

@@ -105,6 +105,10 @@ struct hobe_table {
 void hobe_table_text(struct hobe_text *text, const struct hobe_table *table);
 void hobe_table_csv(struct hobe_text *text, const struct hobe_table *table);
 
+/* Appends it as JSON, a line: an object that has under the title an array with an object for each
+ * row; empty cells are left out. */
+void hobe_table_json(struct hobe_text *text, const struct hobe_table *table);
+
 /* ---- pictures (output_plot.c) --------------------------------------------------------------- */
 
 enum hobe_style { HOBE_STYLE_LINE, HOBE_STYLE_POINTS, HOBE_STYLE_LINESPOINTS };
@@ -122,6 +126,7 @@ struct hobe_plot {
     const char *title, *xlabel, *ylabel;
     size_t count;
     const struct hobe_series *series; /* [count] */
+    int log_x, log_y;                 /* logarithmic axes, whose numbers are > 0 */
 };
 
 /* Appends the numbers of the diagram as CSV: a pair of columns for each series. */

@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <string.h>
@@ -52,17 +53,27 @@ static void quote(struct hobe_text *text, const char *string)
     hobe_text_bytes(text, "'", 1);
 }
 
+/* Where the i-th point of a series stands on the axes x, y. */
+static void place(const struct hobe_plot *plot, const struct hobe_series *series, size_t i,
+                  double at[2])
+{
+    at[0] = plot->log_x ? log10(series->x[i]) : series->x[i];
+    at[1] = plot->log_y ? log10(series->y[i]) : series->y[i];
+}
+
 /* The extent of all points: box[0..1] in x, box[2..3] in y. */
 static void extent(const struct hobe_plot *plot, double *box)
 {
     int first = 1;
     for (size_t k = 0; k < plot->count; k++) {
         for (size_t i = 0; i < plot->series[k].count; i++, first = 0) {
-            double x = plot->series[k].x[i], y = plot->series[k].y[i];
-            box[0] = first || x < box[0] ? x : box[0];
-            box[1] = first || x > box[1] ? x : box[1];
-            box[2] = first || y < box[2] ? y : box[2];
-            box[3] = first || y > box[3] ? y : box[3];
+            double at[2];
+            place(plot, &plot->series[k], i, at);
+            for (int axis = 0; axis < 2; axis++) {
+                double *from = box + 2 * axis, *to = from + 1;
+                *from = first || at[axis] < *from ? at[axis] : *from;
+                *to = first || at[axis] > *to ? at[axis] : *to;
+            }
         }
     }
 }
@@ -75,12 +86,14 @@ static const char *legend(const struct hobe_plot *plot)
     double box[4] = {0};
     for (size_t k = 0; k < plot->count; k++)
         labels += plot->series[k].label && *plot->series[k].label;
-    if (labels > 6)
+    if (labels > 5)
         return "outside right top";
     extent(plot, box);
     for (size_t k = 0; k < plot->count; k++) {
         for (size_t i = 0; i < plot->series[k].count; i++) {
-            double x = plot->series[k].x[i] - box[0], y = plot->series[k].y[i] - box[2];
+            double at[2];
+            place(plot, &plot->series[k], i, at);
+            double x = at[0] - box[0], y = at[1] - box[2];
             int left = x<0.4 * (box[1] - box[0]), right = x> 0.6 * (box[1] - box[0]);
             int bottom = y<0.4 * (box[3] - box[2]), top = y> 0.6 * (box[3] - box[2]);
             if ((left || right) && (bottom || top))
@@ -99,6 +112,19 @@ static void add_label(struct hobe_text *text, const char *what, const char *labe
     hobe_text_add(text, "set %s ", what);
     quote(text, label);
     hobe_text_add(text, " noenhanced\n");
+}
+
+/* A logarithmic axis; one of few decades has too few powers of ten to read a number by. */
+static void add_logarithm(struct hobe_text *text, char axis, const double extent_of[2])
+{
+    const int first = (int)floor(extent_of[0]), last = (int)ceil(extent_of[1]);
+    hobe_text_add(text, "set logscale %c\n", axis);
+    if (last - first > 2)
+        return;
+    hobe_text_add(text, "set %ctics (", axis);
+    for (int k = first; k <= last; k++)
+        hobe_text_add(text, "%s1e%d, 2e%d, 5e%d", k > first ? ", " : "", k, k, k);
+    hobe_text_add(text, ")\n");
 }
 
 /* Colours that stay apart for most eyes (Okabe & Ito; Tol), after black. */
@@ -138,6 +164,7 @@ static void add_series(struct hobe_text *text, const struct hobe_plot *plot, siz
 void hobe_plot_script(struct hobe_text *text, const struct hobe_plot *plot, const char *data,
                       const char *image)
 {
+    double box[4] = {0};
     hobe_text_add(text, "# Draws the picture again: gnuplot -d THIS_FILE\n"
                         "set encoding utf8\n"
                         "if (strstrt(GPVAL_TERMINALS, ' pngcairo ')) {\n"
@@ -154,6 +181,11 @@ void hobe_plot_script(struct hobe_text *text, const struct hobe_plot *plot, cons
                         "set grid lc rgb '#d8d8d8' lt 1 lw 1\n"
                         "set autoscale noextend\n"
                         "set offsets graph 0.02, graph 0.02, graph 0.04, graph 0.04\n");
+    extent(plot, box);
+    if (plot->log_x)
+        add_logarithm(text, 'x', box);
+    if (plot->log_y)
+        add_logarithm(text, 'y', box + 2);
     hobe_text_add(text, "set key %s spacing 1.2 width 1\n", legend(plot));
     add_label(text, "title", plot->title);
     add_label(text, "xlabel", plot->xlabel);

@@ -113,6 +113,55 @@ void hobe_table_csv(struct hobe_text *text, const struct hobe_table *table)
     }
 }
 
+/* cJSON prints up to 17 digits of 0.1; ours are the shortest that read back.  1 on success. */
+static int add_number(cJSON *object, const char *key, double x)
+{
+    struct hobe_text digits = {0};
+    hobe_text_number(&digits, x);
+    int good = !digits.status && cJSON_AddRawToObject(object, key, digits.at);
+    hobe_text_free(&digits);
+    return good;
+}
+
+/* Adds the cells of a row; 1 on success. */
+static int add_row(cJSON *array, const struct hobe_table *table, const struct hobe_cell *cell)
+{
+    cJSON *object = cJSON_CreateObject();
+    if (!object || !cJSON_AddItemToArray(array, object)) {
+        cJSON_Delete(object);
+        return 0;
+    }
+    int good = 1;
+    for (size_t j = 0; good && j < table->columns; j++)
+        if (!cell[j].text)
+            good = add_number(object, table->head[j], cell[j].number);
+        else if (*cell[j].text)
+            good = cJSON_AddStringToObject(object, table->head[j], cell[j].text) != NULL;
+    return good;
+}
+
+/* Appends root as a line, and deletes it. */
+static void add_json(struct hobe_text *text, cJSON *root, int good)
+{
+    char *json = good ? cJSON_PrintUnformatted(root) : NULL;
+    if (json)
+        hobe_text_add(text, "%s\n", json);
+    else
+        text->status = HOBE_NO_MEMORY;
+    cJSON_free(json);
+    cJSON_Delete(root);
+}
+
+void hobe_table_json(struct hobe_text *text, const struct hobe_table *table)
+{
+    cJSON *root = cJSON_CreateObject();
+    cJSON *rows = root ? cJSON_AddArrayToObject(root, table->title) : NULL;
+    int good = rows != NULL;
+    for (size_t i = 0; good && i < table->rows; i++)
+        good = add_row(rows, table, table->cell + i * table->columns);
+    add_json(text, root, good);
+}
+
 /* ---- reports -------------------------------------------------------------------------------- */
 
 double hobe_value_difference(const struct hobe_value *value)
@@ -201,16 +250,6 @@ void hobe_report_csv(struct hobe_text *text, const struct hobe_value *value, siz
     }
 }
 
-/* cJSON prints up to 17 digits of 0.1; ours are the shortest that read back.  1 on success. */
-static int add_number(cJSON *object, const char *key, double x)
-{
-    struct hobe_text digits = {0};
-    hobe_text_number(&digits, x);
-    int good = !digits.status && cJSON_AddRawToObject(object, key, digits.at);
-    hobe_text_free(&digits);
-    return good;
-}
-
 static int add_value(cJSON *report, const struct hobe_value *value)
 {
     cJSON *object = cJSON_AddObjectToObject(report, value->name);
@@ -230,11 +269,5 @@ void hobe_report_json(struct hobe_text *text, const struct hobe_value *value, si
     int good = report != NULL;
     for (size_t i = 0; good && i < count; i++)
         good = add_value(report, &value[i]);
-    char *json = good ? cJSON_PrintUnformatted(root) : NULL;
-    if (json)
-        hobe_text_add(text, "%s\n", json);
-    else
-        text->status = HOBE_NO_MEMORY;
-    cJSON_free(json);
-    cJSON_Delete(root);
+    add_json(text, root, good);
 }

@@ -9,7 +9,7 @@
  *     [A21  A22] = [L21  I ] [   S] [      I  ],     S = A22 - L21 D L21'.
  *
  * Rows and columns are multiples of PANEL_STEP: those of 3 x 3 blocks.  The functions exist twice,
- * for the processor's wide registers and portably, as the kernels do. */
+ * for registers of AVX2 and portably: hobe_machine says which go. */
 #ifndef HOBE_PANEL_H
 #define HOBE_PANEL_H
 

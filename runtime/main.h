@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the words of the program share: main.c and main_*.c. */
+#ifndef HOBE_MAIN_H
+#define HOBE_MAIN_H
+
+#include "lua_hobe.h"
+#include "output.h"
+
+/* One line on standard error, whatever the message holds; returns the exit status given. */
+int complain(const char *message, int status);
+
+/* The same of a message with one word in it; returns 2, for a wrong command line. */
+int complain_usage(const char *format, const char *word);
+
+/* The value of option `name` at argv[*i] ("--name value" or "--name=value"), or NULL. */
+char *option(char **argv, int *i, const char *name);
+
+/* Reads the value of --format; 0, or the exit status after a complaint. */
+int read_format(const char *text, enum hobe_lua_format *format);
+
+/* Prints a text and frees it; the exit status. */
+int print_text(struct hobe_text *text);
+
+/* hobe bench, argv[2..] its arguments; the exit status (main_bench.c). */
+int command_bench(int argc, char **argv);
+
+#endif
