@@ -1,12 +1,12 @@
 /* MGD30d: this project: MGD30w3 whose section distorts in torsion
  *
- * Written by `python -m generator`, declaration 72f46c85652a8bfe: do not edit.
+ * Written by `python -m generator`, declaration e3c2506b576e0a92: do not edit.
  * nodes at xi = 0 1/2 1; 37 vectors, 111 degrees of freedom
- * modes 1 y z w wy wz ww yz v1y v1z v2y v2z
+ * modes 1 y z w wy wz ww w1 v1y v1z v2y v2z
  * the energy is exact with 5 Gauss points on the axis
- * vectors (mode@node, ' for d/dx): 1@1 1'@1 y@1 z@1 w@1 wy@1 wz@1 ww@1 yz@1 v1y@1 v1z@1 v2y@1
- *     v2z@1 y@2 z@2 w@2 wy@2 wz@2 ww@2 yz@2 v1y@2 v1z@2 v2y@2 v2z@2 1@3 1'@3 y@3 z@3 w@3 wy@3
- *     wz@3 ww@3 yz@3 v1y@3 v1z@3 v2y@3 v2z@3
+ * vectors (mode@node, ' for d/dx): 1@1 1'@1 y@1 z@1 w@1 wy@1 wz@1 ww@1 w1@1 v1y@1 v1z@1 v2y@1
+ *     v2z@1 y@2 z@2 w@2 wy@2 wz@2 ww@2 w1@2 v1y@2 v1z@2 v2y@2 v2z@2 1@3 1'@3 y@3 z@3 w@3 wy@3
+ *     wz@3 ww@3 w1@3 v1y@3 v1z@3 v2y@3 v2z@3
  * operations per element: force 419652, force and tangent 3411972, energy 403762
  * as one tensor, section symmetric in neither: force 464749, force and tangent 4376761
  * as one tensor, section symmetric in y: force 241645, force and tangent 2218297
@@ -115,26 +115,26 @@ static void section_modes(double y, double z, const double (*f)[4],
     phi[6][1] = f[3][1];
     phi[6][2] = f[3][2];
     phi[6][3] = f[3][3];
-    phi[7][0] = y * z;
-    phi[7][1] = z;
-    phi[7][2] = y;
-    phi[7][3] = 0.0;
-    phi[8][0] = f[4][0];
-    phi[8][1] = f[4][1];
-    phi[8][2] = f[4][2];
-    phi[8][3] = f[4][3];
-    phi[9][0] = f[5][0];
-    phi[9][1] = f[5][1];
-    phi[9][2] = f[5][2];
-    phi[9][3] = f[5][3];
-    phi[10][0] = f[6][0];
-    phi[10][1] = f[6][1];
-    phi[10][2] = f[6][2];
-    phi[10][3] = f[6][3];
-    phi[11][0] = f[7][0];
-    phi[11][1] = f[7][1];
-    phi[11][2] = f[7][2];
-    phi[11][3] = f[7][3];
+    phi[7][0] = f[4][0];
+    phi[7][1] = f[4][1];
+    phi[7][2] = f[4][2];
+    phi[7][3] = f[4][3];
+    phi[8][0] = f[5][0];
+    phi[8][1] = f[5][1];
+    phi[8][2] = f[5][2];
+    phi[8][3] = f[5][3];
+    phi[9][0] = f[6][0];
+    phi[9][1] = f[6][1];
+    phi[9][2] = f[6][2];
+    phi[9][3] = f[6][3];
+    phi[10][0] = f[7][0];
+    phi[10][1] = f[7][1];
+    phi[10][2] = f[7][2];
+    phi[10][3] = f[7][3];
+    phi[11][0] = f[8][0];
+    phi[11][1] = f[8][1];
+    phi[11][2] = f[8][2];
+    phi[11][3] = f[8][3];
 }
 
 /* The section vectors D[S][3] of nodal vectors q[V][3] at a place of the axis. */
@@ -242,7 +242,7 @@ static void clear(double *x, int n)
 
 /* Of each section vector: whether it is that of a warping function. */
 static const unsigned char warps[S] = {
-    0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0,
+    0, 0, 0, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 0, 0, 0, 0,
 };
 
 static inline int symmetric(int i, int j)
@@ -1809,10 +1809,10 @@ static const struct hobe_vector vector[V] = {
     {2, 7, 0}, {2, 8, 0}, {2, 9, 0}, {2, 10, 0}, {2, 11, 0},
 };
 static const char *const mode_name[M] = {
-    "1", "y", "z", "w", "wy", "wz", "ww", "yz", "v1y", "v1z", "v2y", "v2z",
+    "1", "y", "z", "w", "wy", "wz", "ww", "w1", "v1y", "v1z", "v2y", "v2z",
 };
 static const char *const function_name[] = {
-    "w", "wy", "wz", "ww", "v1y", "v1z", "v2y", "v2z",
+    "w", "wy", "wz", "ww", "w1", "v1y", "v1z", "v2y", "v2z",
 };
 static const struct hobe_tensor_size tensor_size[] = {
     {464749, 4376761, 647142}, {241645, 2218297, 324582}, {241645, 2218297, 324582},
@@ -1823,15 +1823,15 @@ extern const struct hobe_kernel HOBE_KERNEL(MGD30d);
 const struct hobe_kernel HOBE_KERNEL(MGD30d) = {
     .abi = 5,
     .name = "MGD30d",
-    .hash = "72f46c85652a8bfe",
+    .hash = "e3c2506b576e0a92",
     .source = "this project: MGD30w3 whose section distorts in torsion",
     .mechanics = "average",
     .nodes = 3,
     .vectors = V,
     .modes = M,
-    .functions = 8,
+    .functions = 9,
     .stations = 5,
-    .degree = 2,
+    .degree = 1,
     .normals = NN,
     .shears = NS,
     .flops_force = 419652,
