@@ -377,7 +377,7 @@ enum hobe_status hobe_distortion(const hobe_section *section, const struct hobe_
                                  double *wall_bending, struct hobe_error *err)
 {
     const int nodes = mesh->nodes;
-    double work[PAIRS];
+    double work[PAIRS] = {0};
     struct fields s = {.section = section,
                        .mesh = mesh,
                        .w = w,

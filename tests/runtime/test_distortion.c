@@ -60,7 +60,7 @@ struct solved {
     const char *name;
     const hobe_section *section;
     const struct hobe_rule *rule;
-    double centre[2], E, G, yy, yz, zz; /* integrals of E, G, E y^2, E y z, E z^2 */
+    double centre[2], E, yy, yz, zz; /* integrals of E, E y^2, E y z, E z^2 */
     double (*v)[PAIRS][2][3];
 };
 
@@ -73,7 +73,6 @@ static void moments(struct solved *s)
         const struct hobe_section_point *at = s->rule->point + p;
         const double E = at->weight * hobe_section_E(s->section, at->region);
         s->E += E;
-        s->G += at->weight * hobe_section_G(s->section, at->region);
         s->yy += E * at->y * at->y;
         s->yz += E * at->y * at->z;
         s->zz += E * at->z * at->z;
@@ -93,9 +92,8 @@ static void load(const struct solved *s, int p, int l, double b[2], double g[2][
     memcpy(b, force[l], sizeof force[l]);
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++)
-            g[i][k] = l < 2 ? 0
-                            : -(i == k ? E / 2 : G) *
-                                  (v2[0][1 + i] * v2[0][1 + k] + v2[1][1 + i] * v2[1][1 + k]);
+            g[i][k] =
+                l < 2 ? 0 : -E / 2 * (v2[0][1 + i] * v2[0][1 + k] + v2[1][1 + i] * v2[1][1 + k]);
 }
 
 /* The work of the load without its rigid part, found anew here by moments, on phi e_a. */
@@ -124,20 +122,20 @@ static double work(const struct solved *s, int l, int a, int linear, int k)
     return sum;
 }
 
-/* In-plane stiffness of the rule's v_l against phi e_a. */
+/* In-plane stiffness of the rule's v_l against phi e_a, of the isotropic law without Poisson's
+ * coupling. */
 static double energy(const struct solved *s, int l, int a, int linear, int k)
 {
     double sum = 0;
     for (int p = 0; p < s->rule->rule.points; p++) {
         const struct hobe_section_point *at = s->rule->point + p;
         const double E = at->weight * hobe_section_E(s->section, at->region);
-        const double G = at->weight * hobe_section_G(s->section, at->region);
         const double *y = at->f[HOBE_V1Y + 2 * l], *z = at->f[HOBE_V1Z + 2 * l];
         double phi[3] = {0, !k, k};
         if (!linear)
             quadratic(k, at->y, at->z, phi);
-        sum += a ? E * z[2] * phi[2] + G * (y[2] + z[1]) * phi[1]
-                 : E * y[1] * phi[1] + G * (y[2] + z[1]) * phi[2];
+        sum += a ? E * (z[2] * phi[2] + (y[2] + z[1]) * phi[1] / 2)
+                 : E * (y[1] * phi[1] + (y[2] + z[1]) * phi[2] / 2);
     }
     return sum;
 }
@@ -167,7 +165,7 @@ static void complete(struct solved *s, int l, double size)
     double L[2][2];
     for (int a = 0; a < 2; a++)
         L[a][a] = (work(s, l, a, 1, a) - size * energy(s, l, a, 1, a)) / s->E;
-    const double shear = (work(s, l, 0, 1, 1) - size * energy(s, l, 0, 1, 1)) / s->G;
+    const double shear = 2 * (work(s, l, 0, 1, 1) - size * energy(s, l, 0, 1, 1)) / s->E;
     L[0][1] = (shear * s->yy + (L[1][1] - L[0][0]) * s->yz) / (s->yy + s->zz);
     L[1][0] = shear - L[0][1];
     for (int p = 0; p < s->rule->rule.points; p++)
