@@ -3,10 +3,10 @@
 -- Box 250 x 50 x 5 mm, 2 m long, clamped, E 1 GPa, nu 0.3, a torque about its axis.  The shear
 -- flow of walls that twist pulls them inwards; the area they enclose shrinks, and with it the torque
 -- that they bear, as in Brazier's effect.  Past the limit one place collapses.  MGD30d2 pinches as
--- it should, MGD30w keeps its outline.  Expected: solid models, below.  The limit is 10 % too high:
--- the collapse gathers at one place later than in the solid.  The pinch is 14 % too large, of which
--- 1/(1 - nu^2) explains 10: with mechanics "average" walls bend across the beam as freely as
--- strips.
+-- it should, MGD30w keeps its outline.  Expected: solid models, below.  The limit is 9 % too high:
+-- the collapse gathers at one place later than in the solid.  The pinch is taken 1/(1 - nu^2) times
+-- the solid's, since with mechanics "average" walls bend across the beam as freely as strips; what
+-- this takes of the torque makes it a little larger yet.
 --
 -- Solid: quadratic bricks with reduced integration in CalculiX, one through the wall, 20 and 4
 -- along the walls, 80 along the axis, large displacements; one face clamped, the other turned
@@ -67,5 +67,5 @@ hobe.plot{
 hobe.report{
   limit        = { limits[1].load*M, "N m", expect = 200.0, within = 0.1 },
   turn_at_151  = { before:twist("plate", 0), "rad", expect = 0.2, within = 0.03 },
-  pinch_at_151 = { 1e3*pinch(before), "mm", expect = 3.93, within = 0.15 },
+  pinch_at_151 = { 1e3*pinch(before), "mm", expect = 3.93/(1 - 0.3^2), within = 0.06 },
 }
