@@ -676,8 +676,9 @@ enum hobe_warning {
 
 /* The warning and its sentence, "" of none.  Cheap where the beam is hardly twisted: walls are
  * asked only where the section's extent times the twist rate is more than 0.001 rad, which bends
- * even walls that are a thousand times as wide as thick by less than would be told.  Sections that
- * vary along the beam are not asked. */
+ * even walls that are a thousand times as wide as thick by less than would be told.  Not of
+ * sections that vary along the beam, nor of elements with w2t, whose outline collapses where it
+ * should. */
 enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char *beam,
                                        enum hobe_warning *warning, char *text, size_t size,
                                        struct hobe_error *err);
