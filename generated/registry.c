@@ -20,6 +20,7 @@ extern const struct hobe_kernel hobe_kernel_BE24w_II_avx512;
 extern const struct hobe_kernel hobe_kernel_BE42_avx512;
 extern const struct hobe_kernel hobe_kernel_MGD30_avx512;
 extern const struct hobe_kernel hobe_kernel_MGD30d_avx512;
+extern const struct hobe_kernel hobe_kernel_MGD30d2_avx512;
 extern const struct hobe_kernel hobe_kernel_MGD30w_avx512;
 extern const struct hobe_kernel hobe_kernel_MGD30w_II_avx512;
 extern const struct hobe_kernel hobe_kernel_MGD30w3_avx512;
@@ -40,6 +41,7 @@ static const struct hobe_kernel *const avx512[] = {
     &hobe_kernel_BE42_avx512,
     &hobe_kernel_MGD30_avx512,
     &hobe_kernel_MGD30d_avx512,
+    &hobe_kernel_MGD30d2_avx512,
     &hobe_kernel_MGD30w_avx512,
     &hobe_kernel_MGD30w_II_avx512,
     &hobe_kernel_MGD30w3_avx512,
@@ -63,6 +65,7 @@ extern const struct hobe_kernel hobe_kernel_BE24w_II_avx2;
 extern const struct hobe_kernel hobe_kernel_BE42_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30d_avx2;
+extern const struct hobe_kernel hobe_kernel_MGD30d2_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30w_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30w_II_avx2;
 extern const struct hobe_kernel hobe_kernel_MGD30w3_avx2;
@@ -83,6 +86,7 @@ static const struct hobe_kernel *const avx2[] = {
     &hobe_kernel_BE42_avx2,
     &hobe_kernel_MGD30_avx2,
     &hobe_kernel_MGD30d_avx2,
+    &hobe_kernel_MGD30d2_avx2,
     &hobe_kernel_MGD30w_avx2,
     &hobe_kernel_MGD30w_II_avx2,
     &hobe_kernel_MGD30w3_avx2,
@@ -105,6 +109,7 @@ extern const struct hobe_kernel hobe_kernel_BE24w_II;
 extern const struct hobe_kernel hobe_kernel_BE42;
 extern const struct hobe_kernel hobe_kernel_MGD30;
 extern const struct hobe_kernel hobe_kernel_MGD30d;
+extern const struct hobe_kernel hobe_kernel_MGD30d2;
 extern const struct hobe_kernel hobe_kernel_MGD30w;
 extern const struct hobe_kernel hobe_kernel_MGD30w_II;
 extern const struct hobe_kernel hobe_kernel_MGD30w3;
@@ -125,6 +130,7 @@ static const struct hobe_kernel *const portable[] = {
     &hobe_kernel_BE42,
     &hobe_kernel_MGD30,
     &hobe_kernel_MGD30d,
+    &hobe_kernel_MGD30d2,
     &hobe_kernel_MGD30w,
     &hobe_kernel_MGD30w_II,
     &hobe_kernel_MGD30w3,

@@ -33,7 +33,7 @@ KEYS = ("name", "source", "nodes", "extends", "form", "mechanics", "field")
 FIELD_KEYS = ("modes", "dofs", "like", "functions")
 MONOMIAL = re.compile(r"(?=.)y*z*")
 FUNCTION = re.compile(r"[vw][a-z0-9]*")
-MAX_FUNCTIONS, MAX_MODES, MAX_VECTORS = 8, 24, 256  # HOBE_MAX_... of kernel.h
+MAX_FUNCTIONS, MAX_MODES, MAX_VECTORS = 16, 24, 256  # HOBE_MAX_... of kernel.h
 MAX_DEGREE = 12  # of a monomial
 
 

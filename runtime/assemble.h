@@ -5,19 +5,33 @@
 
 #include "model.h"
 
-/* f[vectors][3] = dU/dq of all elements in state u, N; and Ax[nonzeros] the values of the tangent
- * stiffness of the unknowns in the model's pattern, unless Ax is NULL.  Both overwritten. */
-void assemble(const struct hobe_model *model, const double *u, double *f, double *Ax);
+/* Orders the batches, and makes room for each thread that sums them: as many as OpenMP gives, where
+ * the model is large enough. */
+enum hobe_status assemble_schedule(hobe_model *model, struct hobe_error *err);
+void assemble_free(struct schedule *schedule);
+
+/* f[vectors][3] = dU/dq of all elements in state u, N; and K the tangent stiffness of the unknowns,
+ * unless NULL.  Both overwritten. */
+void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K);
+
+/* The same, but K holds the stresses that were expected of a step v, which has led to u: those of
+ * strains linear in v, without what v has added to them by its square.  In a thin beam that turns
+ * this is large, false, and gone after the next iteration; without it Newton's iteration does not
+ * swing between turning and stretching.  It is Newton's still, with the stresses as unknowns of
+ * their own (mixed integration points: Magisano, Leonetti & Garcea 2017, Comput. Methods Appl.
+ * Mech. Eng. 313).  Elements whose energy is not quartic keep their tangent. */
+void assemble_expecting(const struct hobe_model *model, const double *u, const double *v, double *f,
+                        const struct matrix *K);
 
 /* f[V][3] = dU/dq of element e of a beam alone, N, in memory of its own. */
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
                                   const double *u, double *f, struct hobe_error *err);
 
-/* Ax[nonzeros] = the tangent of elements that are where u puts them and have come there from where
+/* K = the tangent of elements that are where u puts them and have come there from where
  * u - v would: it differs from that of unstrained ones by the geometric stiffness of the strains of
  * v, to the first order, without what the displacements v themselves change. */
 void assemble_strained(const struct hobe_model *model, const double *u, const double *v,
-                       double *Ax);
+                       const struct matrix *K);
 
 /* Strain energy of all elements, J. */
 double assemble_energy(const struct hobe_model *model, const double *u);

@@ -307,5 +307,6 @@ void beam_free(struct beam *beam)
     hobe_free(beam->q0);
     hobe_free(beam->q0_lanes);
     hobe_free(beam->batch);
-    hobe_free(beam->block);
+    for (int layout = 0; layout < LAYOUTS; layout++)
+        hobe_free(beam->place[layout]);
 }

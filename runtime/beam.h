@@ -13,6 +13,10 @@ struct batch {
     const hobe_lanes *q0; /* [V][3] */
 };
 
+/* Where the values of a tangent lie: those of a symmetric one in the panels of fronts (fronts.h),
+ * of any in compressed columns. */
+enum layout { FRONTS, COLUMNS, LAYOUTS };
+
 struct beam {
     struct hobe_beam spec;
     char *name;
@@ -31,9 +35,10 @@ struct beam {
     struct batch *batch;
     int batches;
 
-    long first;  /* first vector */
-    int step;    /* vectors from an element to the next */
-    long *block; /* [elements][V][V] place of the 3 x 3 block (v, w) in the pattern, -1: held */
+    long first; /* first vector */
+    int step;   /* vectors from an element to the next */
+    /* [elements][V][V] where the 3 x 3 block (v, w) lies, -1: nowhere; NULL: not laid out so */
+    long *place[LAYOUTS];
 };
 
 /* Makes a beam of its spec, whose name is copied.  `lend`: an earlier beam whose law a straight and

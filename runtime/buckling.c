@@ -59,14 +59,15 @@ static void stiffen(struct pencil *s, const double *rate, double lambda, double 
                     double *Ax)
 {
     const hobe_model *model = s->model;
+    const struct matrix K = {COLUMNS, Ax};
     const long beams = 3 * model->beam_vectors, all = 3 * model->vectors;
     for (long i = 0; i < beams; i++)
         v[i] = step * rate[i];
-    assemble_strained(model, s->u, v, Ax);
+    assemble_strained(model, s->u, v, &K);
     for (long i = 0; i < all; i++) /* multipliers are forces */
         v[i] = s->u[i] + (i < beams ? 0 : step * rate[i]);
-    constraint_add(model, v, s->r, Ax);
-    load_subtract(model, s->u, lambda + step, s->r, Ax);
+    constraint_add(model, v, s->r, &K);
+    load_subtract(model, s->u, lambda + step, s->r, &K);
 }
 
 /* Mx = -D G D by the central difference over +-step; the largest of its entries. */
@@ -92,7 +93,7 @@ static enum hobe_status make_matrices(struct pencil *s, double lambda, struct ho
     if (!rate)
         return HOBE_NO_MEMORY;
     pencil_tangent(s, lambda, s->Ax);
-    pattern_scale(&s->model->pattern, s->Ax, s->scale);
+    pattern_scale(s->model, &(struct matrix){COLUMNS, s->Ax}, s->scale);
     const enum hobe_status status = find_rate(s, rate, err);
     if (!status) {
         const double change = differentiate(s, rate, lambda, 1, rate + size);

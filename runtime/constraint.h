@@ -95,7 +95,9 @@ void tie_jacobian(const struct tie *tie, const double *u,
 /* What a tie does to its place b: force, N, and moment about it, N m, global axes. */
 void tie_reaction(const struct tie *tie, const double *u, double force[3], double moment[3]);
 
-/* f += d(lambda . Phi)/dq and Phi on the multipliers; Ax += its derivative unless NULL. */
-void constraint_add(const struct hobe_model *model, const double *u, double *f, double *Ax);
+/* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL: in columns,
+ * which is how models with ties are laid out. */
+void constraint_add(const struct hobe_model *model, const double *u, double *f,
+                    const struct matrix *K);
 
 #endif

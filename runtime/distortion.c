@@ -10,7 +10,9 @@
 /* Of what the load without its rigid part is to the whole: less is rounding, such as of a ring. */
 static const double NO_LOAD = 1e-8;
 
-enum { LOADS = 2, RIGID = 3 };
+enum { WW, W1, W2, W3, W2T, AXIAL }; /* fields along the axis, */
+enum { V1, V2, V3, PAIRS };          /* and pairs of fields in the plane */
+enum { RIGID = 3 };
 
 /* A cubature point of the mesh with all that is asked of it. */
 struct point {
@@ -43,61 +45,6 @@ static void field(const struct point *p, const double *values, double f[3])
         f[1] += p->dN[i][0] * value;
         f[2] += p->dN[i][1] * value;
     }
-}
-
-/* ---- along the axis ------------------------------------------------------------------------- */
-
-static void assemble_axial(const hobe_section *section, const struct hobe_mesh *mesh,
-                           const double *w, struct hobe_mesh_matrix *K, double *b)
-{
-    for (int g = 0; g < POINTS * mesh->triangles; g++) {
-        struct point p;
-        double f[3];
-        set_point(section, mesh, g / POINTS, g % POINTS, &p);
-        field(&p, w, f);
-        for (int i = 0; i < NODES; i++) {
-            b[p.node[i]] += p.weight * p.E * f[0] * p.N[i];
-            for (int j = 0; j < NODES; j++)
-                if (i == j || (p.node[i] && p.node[j])) /* node 0 is held */
-                    hobe_mesh_matrix_add(K, p.node[i], p.node[j],
-                                         p.weight * p.G *
-                                             (p.dN[i][0] * p.dN[j][0] + p.dN[i][1] * p.dN[j][1]));
-        }
-    }
-    b[0] = 0;
-}
-
-/* ww[nodes], up to a constant; zeros before. */
-static enum hobe_status solve_axial(const hobe_section *section, const struct hobe_mesh *mesh,
-                                    const double *w, double *ww, struct hobe_error *err)
-{
-    struct hobe_mesh_matrix K;
-    hobe_linsolve *solver = NULL;
-    enum hobe_status status = hobe_mesh_matrix_new(mesh, 1, &K, err);
-    if (!status) {
-        assemble_axial(section, mesh, w, &K, ww);
-        hobe_mesh_matrix_close(&K);
-        solver = hobe_mesh_matrix_factor(&K, err);
-        status = solver ? hobe_linsolve_solve(solver, ww, err) : HOBE_NO_MEMORY;
-    }
-    hobe_linsolve_free(solver);
-    hobe_mesh_matrix_free(&K);
-    return status;
-}
-
-/* ---- in the plane --------------------------------------------------------------------------- */
-
-/* The loads at a point; tau = (zs - z, y - ys) - grad w, as r_w = -kappa e_x. */
-static void loads(const struct point *p, const double *w, const double centre[2],
-                  double b[LOADS][2])
-{
-    double f[3];
-    field(p, w, f);
-    const double tau[2] = {centre[1] - p->z - f[1], p->y - centre[0] - f[2]};
-    const double all[LOADS][2] = {{tau[0], tau[1]}, {-tau[1], tau[0]}};
-    for (int l = 0; l < LOADS; l++)
-        for (int a = 0; a < 2; a++)
-            b[l][a] = p->G * all[l][a];
 }
 
 static void rigid(const struct point *p, double r[RIGID][2])
@@ -136,55 +83,73 @@ static void rigid_gram(const hobe_section *section, const struct hobe_mesh *mesh
     }
 }
 
-struct plane {
+struct fields {
     const hobe_section *section;
     const struct hobe_mesh *mesh;
     const double *w, *centre;
+    double *axial;          /* [AXIAL][nodes] */
+    double *v;              /* [PAIRS][2][nodes] */
     double A[RIGID][RIGID]; /* of the rigid motions; the last is the polar moment */
-    double c[LOADS][RIGID]; /* the rigid part of each load, E sum c_i r_i */
-    double size[LOADS];     /* int |load|^2 dA without and ... */
-    double whole[LOADS];    /* ... with its rigid part */
     long held[RIGID];       /* unknowns that hold the section */
 };
 
-static void set_rigid_parts(struct plane *s)
+/* The fields of pair l and their gradients at a point: f[2][3]. */
+static void pair(const struct fields *s, const struct point *p, int l, double f[2][3])
 {
-    memset(s->c, 0, sizeof s->c);
-    for (int g = 0; g < POINTS * s->mesh->triangles; g++) {
+    for (int a = 0; a < 2; a++)
+        field(p, s->v + (2 * l + a) * s->mesh->nodes, f[a]);
+}
+
+/* ---- in the plane --------------------------------------------------------------------------- */
+
+/* The load of pair l at a point: a force b and a stress g.  tau = (zs - z, y - ys) - grad w, as
+ * r_w = -kappa e_x; the stress is that which undoes v2's strain of second order. */
+static void load(const struct fields *s, const struct point *p, int l, double b[2], double g[2][2])
+{
+    double f[3], v[2][3];
+    field(p, s->w, f);
+    pair(s, p, V2, v);
+    const double tau[2] = {p->G * (s->centre[1] - p->z - f[1]),
+                           p->G * (p->y - s->centre[0] - f[2])};
+    for (int a = 0; a < 2; a++) {
+        const double force[PAIRS] = {[V1] = tau[a], [V2] = a ? tau[0] : -tau[1]};
+        b[a] = force[l];
+        for (int c = 0; c < 2; c++)
+            g[a][c] =
+                l == V3 ? -p->E / 2 * (v[0][1 + a] * v[0][1 + c] + v[1][1 + a] * v[1][1 + c]) : 0;
+    }
+}
+
+/* c: of moments int f . r_i dA, the rigid motion sum c_i r_i with these moments of E. */
+static void rigid_part(const struct fields *s, double c[RIGID])
+{
+    double A[RIGID][RIGID];
+    memcpy(A, s->A, sizeof A);
+    solve3(A, c);
+}
+
+static void set_rigid_part(const struct fields *s, int l, double c[RIGID])
+{
+    memset(c, 0, sizeof(double[RIGID]));
+    for (int k = 0; k < POINTS * s->mesh->triangles; k++) {
         struct point p;
-        double r[RIGID][2], b[LOADS][2];
-        set_point(s->section, s->mesh, g / POINTS, g % POINTS, &p);
+        double r[RIGID][2], b[2], g[2][2];
+        set_point(s->section, s->mesh, k / POINTS, k % POINTS, &p);
         rigid(&p, r);
-        loads(&p, s->w, s->centre, b);
-        for (int l = 0; l < LOADS; l++)
-            for (int i = 0; i < RIGID; i++)
-                s->c[l][i] += p.weight * (r[i][0] * b[l][0] + r[i][1] * b[l][1]);
-    }
-    for (int l = 0; l < LOADS; l++) {
-        double A[RIGID][RIGID];
-        memcpy(A, s->A, sizeof A);
-        solve3(A, s->c[l]);
-    }
-}
-
-/* Takes the rigid part out of the loads at a point. */
-static void balance(const struct plane *s, const struct point *p, double b[LOADS][2])
-{
-    double r[RIGID][2];
-    rigid(p, r);
-    for (int l = 0; l < LOADS; l++)
+        load(s, &p, l, b, g);
         for (int i = 0; i < RIGID; i++)
-            for (int a = 0; a < 2; a++)
-                b[l][a] -= p->E * s->c[l][i] * r[i][a];
+            c[i] += p.weight * (r[i][0] * b[0] + r[i][1] * b[1]);
+    }
+    rigid_part(s, c);
 }
 
-static int is_held(const struct plane *s, long unknown)
+static int is_held(const struct fields *s, long unknown)
 {
     return unknown == s->held[0] || unknown == s->held[1] || unknown == s->held[2];
 }
 
 /* Holds node 0, and the node farthest from it across the line between them. */
-static void hold(struct plane *s)
+static void hold(struct fields *s)
 {
     const double(*node)[2] = (const double(*)[2])s->mesh->node;
     int far = 0;
@@ -204,7 +169,7 @@ static void hold(struct plane *s)
 
 /* k[2 NODES][2 NODES] of a point: E (eps_yy^2 + eps_zz^2 + gamma_yz^2/2), the isotropic law without
  * Poisson's coupling: walls at any angle bend alike. */
-static void add_stiffness(const struct plane *s, const struct point *p, struct hobe_mesh_matrix *K)
+static void add_stiffness(const struct fields *s, const struct point *p, struct hobe_mesh_matrix *K)
 {
     for (int i = 0; i < NODES; i++)
         for (int j = 0; j < NODES; j++) {
@@ -219,37 +184,161 @@ static void add_stiffness(const struct plane *s, const struct point *p, struct h
         }
 }
 
-/* x[LOADS][2 nodes]: right sides. */
-static void assemble(struct plane *s, struct hobe_mesh_matrix *K, double *x)
+static void assemble_plane(const struct fields *s, struct hobe_mesh_matrix *K)
 {
-    memset(s->size, 0, sizeof s->size);
-    memset(s->whole, 0, sizeof s->whole);
-    for (int g = 0; g < POINTS * s->mesh->triangles; g++) {
+    for (int k = 0; k < POINTS * s->mesh->triangles; k++) {
         struct point p;
-        double b[LOADS][2], whole[LOADS][2];
-        set_point(s->section, s->mesh, g / POINTS, g % POINTS, &p);
-        loads(&p, s->w, s->centre, whole);
-        memcpy(b, whole, sizeof b);
-        balance(s, &p, b);
+        set_point(s->section, s->mesh, k / POINTS, k % POINTS, &p);
         add_stiffness(s, &p, K);
-        for (int l = 0; l < LOADS; l++)
-            for (int a = 0; a < 2; a++) {
-                s->size[l] += p.weight * b[l][a] * b[l][a];
-                s->whole[l] += p.weight * whole[l][a] * whole[l][a];
-                for (int i = 0; i < NODES; i++)
-                    x[(size_t)(2 * l * s->mesh->nodes + 2 * p.node[i] + a)] +=
-                        p.weight * b[l][a] * p.N[i];
-            }
     }
-    for (int l = 0; l < LOADS; l++)
-        for (int i = 0; i < RIGID; i++)
-            x[2 * l * s->mesh->nodes + s->held[i]] = 0;
+    hobe_mesh_matrix_close(K);
+}
+
+/* x[nodes][2]: the load without its rigid part E sum c_i r_i; whether anything is left. */
+static int set_load(const struct fields *s, int l, double *x)
+{
+    double c[RIGID], size = 0, whole = 0;
+    set_rigid_part(s, l, c);
+    memset(x, 0, 2 * (size_t)s->mesh->nodes * sizeof *x);
+    for (int k = 0; k < POINTS * s->mesh->triangles; k++) {
+        struct point p;
+        double r[RIGID][2], b[2], g[2][2];
+        set_point(s->section, s->mesh, k / POINTS, k % POINTS, &p);
+        rigid(&p, r);
+        load(s, &p, l, b, g);
+        for (int a = 0; a < 2; a++) {
+            whole += p.weight * b[a] * b[a];
+            for (int i = 0; i < RIGID; i++)
+                b[a] -= p.E * c[i] * r[i][a];
+            size += p.weight * b[a] * b[a];
+            for (int i = 0; i < NODES; i++)
+                x[2 * p.node[i] + a] +=
+                    p.weight * (b[a] * p.N[i] + g[a][0] * p.dN[i][0] + g[a][1] * p.dN[i][1]);
+        }
+    }
+    for (int i = 0; i < RIGID; i++)
+        x[s->held[i]] = 0;
+    return size >= NO_LOAD * NO_LOAD * whole;
+}
+
+/* v[2][nodes] from x[nodes][2], without its rigid motion; zeros unless loaded. */
+static void keep(const struct fields *s, const double *x, int loaded, double *v)
+{
+    const int nodes = s->mesh->nodes;
+    double c[RIGID] = {0};
+    for (int k = 0; k < POINTS * s->mesh->triangles; k++) {
+        struct point p;
+        double r[RIGID][2];
+        set_point(s->section, s->mesh, k / POINTS, k % POINTS, &p);
+        rigid(&p, r);
+        for (int i = 0; i < NODES; i++)
+            for (int j = 0; j < RIGID; j++)
+                for (int a = 0; a < 2; a++)
+                    c[j] += p.weight * p.E * p.N[i] * r[j][a] * x[2 * p.node[i] + a];
+    }
+    rigid_part(s, c);
+    for (int n = 0; n < nodes; n++) {
+        v[n] = loaded ? x[2 * n] - c[0] + c[2] * s->mesh->node[n][1] : 0;
+        v[nodes + n] = loaded ? x[2 * n + 1] - c[1] - c[2] * s->mesh->node[n][0] : 0;
+    }
+}
+
+/* v: each pair by the load that the ones before make; work[PAIRS], of each load on its answer. */
+static enum hobe_status solve_plane(struct fields *s, double *work, struct hobe_error *err)
+{
+    const int unknowns = 2 * s->mesh->nodes;
+    struct hobe_mesh_matrix K;
+    hobe_linsolve *solver = NULL;
+    double *x = hobe_alloc((size_t)unknowns, sizeof *x, err);
+    enum hobe_status status = hobe_mesh_matrix_new(s->mesh, 2, &K, err);
+    if (!status && x) {
+        hold(s);
+        assemble_plane(s, &K);
+        solver = hobe_mesh_matrix_factor(&K, err);
+    }
+    status = solver ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
+    for (int l = 0; !status && l < PAIRS; l++) {
+        double *v = s->v + l * unknowns; /* the load, until it is answered */
+        const int loaded = set_load(s, l, v);
+        memcpy(x, v, (size_t)unknowns * sizeof *x);
+        status = hobe_linsolve_solve(solver, x, err);
+        work[l] = 0;
+        for (int i = 0; i < unknowns; i++)
+            work[l] += v[i] * x[i];
+        keep(s, x, loaded, v);
+    }
+    hobe_linsolve_free(solver);
+    hobe_mesh_matrix_free(&K);
+    hobe_free(x);
+    return status;
+}
+
+/* ---- along the axis ------------------------------------------------------------------------- */
+
+/* Right sides at a point: a source b[0] and a flux b[1], b[2]. */
+static void axial_loads(const struct fields *s, const struct point *p, double b[AXIAL][3])
+{
+    const double turn[2] = {s->centre[1] - p->z, p->y - s->centre[0]}; /* e_x x r */
+    double w[3], v[PAIRS][2][3];
+    field(p, s->w, w);
+    memset(b, 0, sizeof(double[AXIAL][3]));
+    b[WW][0] = p->E * w[0];
+    for (int l = 0; l < PAIRS; l++) {
+        pair(s, p, l, v[l]);
+        for (int a = 0; a < 2; a++)
+            b[W1 + l][1 + a] = p->G * v[l][a][0];
+    }
+    for (int a = 0; a < 2; a++)
+        b[W2T][1 + a] = p->G * ((a ? v[V2][0][0] : -v[V2][1][0]) + turn[0] * v[V2][0][1 + a] +
+                                turn[1] * v[V2][1][1 + a]);
+}
+
+static void assemble_axial(const struct fields *s, struct hobe_mesh_matrix *K)
+{
+    const int nodes = s->mesh->nodes;
+    for (int k = 0; k < POINTS * s->mesh->triangles; k++) {
+        struct point p;
+        double b[AXIAL][3];
+        set_point(s->section, s->mesh, k / POINTS, k % POINTS, &p);
+        axial_loads(s, &p, b);
+        for (int i = 0; i < NODES; i++) {
+            for (int l = 0; l < AXIAL; l++)
+                s->axial[l * nodes + p.node[i]] +=
+                    p.weight * (b[l][0] * p.N[i] + b[l][1] * p.dN[i][0] + b[l][2] * p.dN[i][1]);
+            for (int j = 0; j < NODES; j++)
+                if (i == j || (p.node[i] && p.node[j])) /* node 0 is held */
+                    hobe_mesh_matrix_add(K, p.node[i], p.node[j],
+                                         p.weight * p.G *
+                                             (p.dN[i][0] * p.dN[j][0] + p.dN[i][1] * p.dN[j][1]));
+        }
+    }
+    for (int l = 0; l < AXIAL; l++)
+        s->axial[l * nodes] = 0;
+    hobe_mesh_matrix_close(K);
+}
+
+/* axial: up to constants; zeros before. */
+static enum hobe_status solve_axial(const struct fields *s, struct hobe_error *err)
+{
+    struct hobe_mesh_matrix K;
+    hobe_linsolve *solver = NULL;
+    enum hobe_status status = hobe_mesh_matrix_new(s->mesh, 1, &K, err);
+    if (!status) {
+        assemble_axial(s, &K);
+        solver = hobe_mesh_matrix_factor(&K, err);
+        status = solver ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
+    }
+    for (int l = 0; !status && l < AXIAL; l++)
+        status = hobe_linsolve_solve(solver, s->axial + l * s->mesh->nodes, err);
+    hobe_linsolve_free(solver);
+    hobe_mesh_matrix_free(&K);
+    return status;
 }
 
 /* ---- what is kept of them ------------------------------------------------------------------- */
 
 /* Takes 1, y and z out of a field; returns what is left, int E f^2 dA. */
-static double orthogonalise(const struct plane *s, double *values)
+static double orthogonalise(const struct fields *s, double *values)
 {
     double A[RIGID][RIGID] = {{0}}, part[RIGID] = {0}, square = 0, f[3];
     struct point p;
@@ -274,68 +363,36 @@ static double orthogonalise(const struct plane *s, double *values)
     return square;
 }
 
-/* The fields v[2][nodes] of load l from x[nodes][2]. */
-static void keep(const struct plane *s, int l, const double *x, double *v)
-{
-    const int nodes = s->mesh->nodes, loaded = s->size[l] > NO_LOAD * NO_LOAD * s->whole[l];
-    double square = 0;
-    for (int a = 0; a < 2; a++) {
-        for (int n = 0; n < nodes; n++)
-            v[a * nodes + n] = x[2 * n + a];
-        square += orthogonalise(s, v + a * nodes);
-    }
-    for (int i = 0; i < 2 * nodes; i++)
-        v[i] *= loaded && square > 0 ? sqrt(s->A[2][2] / square) : 0;
-}
-
-/* v[LOADS][2][nodes], and the work of each load on its answer, work[LOADS]. */
-static enum hobe_status solve_plane(struct plane *s, double *v, double *work,
-                                    struct hobe_error *err)
+/* Makes v[2][nodes] orthogonal to 1, y and z and as large as y and z are. */
+static void normalise(const struct fields *s, double *v)
 {
     const int nodes = s->mesh->nodes;
-    struct hobe_mesh_matrix K;
-    hobe_linsolve *solver = NULL;
-    double *x = hobe_alloc(2 * LOADS * (size_t)nodes, sizeof *x, err);
-    enum hobe_status status = hobe_mesh_matrix_new(s->mesh, 2, &K, err);
-    if (!status && x) {
-        hold(s);
-        assemble(s, &K, x);
-        memcpy(v, x,
-               2 * LOADS * (size_t)nodes * sizeof *v); /* the loads, until they are answered */
-        hobe_mesh_matrix_close(&K);
-        solver = hobe_mesh_matrix_factor(&K, err);
-    }
-    status = solver ? HOBE_OK : err ? err->status : HOBE_NO_MEMORY;
-    for (int l = 0; !status && l < LOADS; l++) {
-        const int first = 2 * l * nodes;
-        status = hobe_linsolve_solve(solver, x + first, err);
-        work[l] = 0;
-        for (int i = first; i < first + 2 * nodes; i++)
-            work[l] += v[i] * x[i];
-        if (!status)
-            keep(s, l, x + first, v + first);
-    }
-    hobe_linsolve_free(solver);
-    hobe_mesh_matrix_free(&K);
-    hobe_free(x);
-    return status;
+    const double square = orthogonalise(s, v) + orthogonalise(s, v + nodes);
+    for (int i = 0; i < 2 * nodes; i++)
+        v[i] *= square > 0 ? sqrt(s->A[2][2] / square) : 0;
 }
 
 enum hobe_status hobe_distortion(const hobe_section *section, const struct hobe_mesh *mesh,
                                  const double *w, const double centre[2], double *values,
                                  double *wall_bending, struct hobe_error *err)
 {
-    double work[LOADS];
-    const size_t nodes = (size_t)mesh->nodes;
-    struct plane s = {.section = section, .mesh = mesh, .w = w, .centre = centre};
-    memset(values, 0, HOBE_DISTORTIONS * nodes * sizeof *values);
+    const int nodes = mesh->nodes;
+    double work[PAIRS] = {0};
+    struct fields s = {.section = section,
+                       .mesh = mesh,
+                       .w = w,
+                       .centre = centre,
+                       .axial = values,
+                       .v = values + AXIAL * nodes};
+    memset(values, 0, HOBE_DISTORTIONS * (size_t)nodes * sizeof *values);
     rigid_gram(section, mesh, s.A);
-    set_rigid_parts(&s);
-    enum hobe_status status = solve_axial(section, mesh, w, values, err);
-    if (status)
-        return status;
-    orthogonalise(&s, values);
-    status = solve_plane(&s, values + nodes, work, err);
-    *wall_bending = 4 * work[1]; /* of twice the load of v2 */
+    enum hobe_status status = solve_plane(&s, work, err);
+    *wall_bending = 4 * work[V2]; /* of twice the load of v2 */
+    if (!status)
+        status = solve_axial(&s, err);
+    for (int l = 0; !status && l < PAIRS; l++)
+        normalise(&s, s.v + 2 * l * nodes);
+    for (int l = 0; !status && l < AXIAL; l++)
+        orthogonalise(&s, s.axial + l * nodes);
     return status;
 }

@@ -496,6 +496,10 @@ struct hobe_solution_info {
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                         stable; -1: not counted, as by hobe_static */
     double residual; /* of the last iteration */
+    double change;   /* of the displacements by one more iteration, relative to their size, in the
+                        norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
+                        and round-off leave open; NaN where the stiffness has no factors, 0 on a
+                        path or without load */
     double energy;   /* strain energy, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
@@ -504,7 +508,8 @@ struct hobe_solution_info {
 
 /* Static equilibrium under all loads of the model from its reference.  On success *solution is
  * owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says how
- * far the load got and what to try. */
+ * far the load got and what to try.  Large models are summed by several threads, as many as
+ * OMP_NUM_THREADS allows; results do not depend on their number. */
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err);
 void hobe_solution_free(hobe_solution *solution);
@@ -671,8 +676,9 @@ enum hobe_warning {
 
 /* The warning and its sentence, "" of none.  Cheap where the beam is hardly twisted: walls are
  * asked only where the section's extent times the twist rate is more than 0.001 rad, which bends
- * even walls that are a thousand times as wide as thick by less than would be told.  Sections that
- * vary along the beam are not asked. */
+ * even walls that are a thousand times as wide as thick by less than would be told.  Not of
+ * sections that vary along the beam, nor of elements with w2t, whose outline collapses where it
+ * should. */
 enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char *beam,
                                        enum hobe_warning *warning, char *text, size_t size,
                                        struct hobe_error *err);

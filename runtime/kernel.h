@@ -49,7 +49,7 @@
 
 enum {
     HOBE_LANES = 8,         /* elements in a batch */
-    HOBE_MAX_FUNCTIONS = 8, /* section functions (warping functions etc.) an element may use */
+    HOBE_MAX_FUNCTIONS = 16,/* section functions (warping functions etc.) an element may use */
     HOBE_MAX_MODES = 24,    /* section modes of an element */
     HOBE_MAX_VECTORS = 256  /* nodal vectors of an element */
 };

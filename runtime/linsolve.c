@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "linsolve.h"
 
+#include <amd.h>
 #include <klu.h>
 
 _Static_assert(sizeof(SuiteSparse_long) == sizeof(long), "long is SuiteSparse's 64-bit index");
@@ -42,6 +43,14 @@ hobe_linsolve *hobe_linsolve_analyse(long n, long *Ap, long *Ai, struct hobe_err
         return NULL;
     }
     return s;
+}
+
+enum hobe_status hobe_linsolve_order(long n, const long *Ap, const long *Ai, long *order,
+                                     struct hobe_error *err)
+{
+    if (amd_l_order(n, Ap, Ai, order, NULL, NULL) == AMD_OUT_OF_MEMORY)
+        return hobe_fail(err, HOBE_NO_MEMORY, NULL, "out of memory: ordering of %ld blocks", n);
+    return HOBE_OK;
 }
 
 /* New values with the pivots of the last factors, which saves the search for pivots; 0 where there

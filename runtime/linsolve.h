@@ -12,6 +12,11 @@ typedef struct hobe_linsolve hobe_linsolve;
  * Ai[Ap[n]] with ascending rows; both must outlive the solver and are not modified. */
 hobe_linsolve *hobe_linsolve_analyse(long n, long *Ap, long *Ai, struct hobe_error *err);
 
+/* order[n]: an order of elimination, by least degree, of a symmetric pattern in compressed columns.
+ */
+enum hobe_status hobe_linsolve_order(long n, const long *Ap, const long *Ai, long *order,
+                                     struct hobe_error *err);
+
 /* LU factors, with partial pivoting, of S A S with S = diag(scale): Ax[Ap[n]] and scale[n] are not
  * modified.  HOBE_SINGULAR with *column set to the column of the vanishing pivot (-1 if unknown).
  */

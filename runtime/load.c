@@ -5,16 +5,16 @@
 #include "vector3.h"
 
 void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
-                 const double block[3][3], double *Ax)
+                 const double block[3][3], const struct matrix *K)
 {
     const int V = beam->kernel->vectors;
-    const long b = beam->block[((long)e * V + v) * V + w];
-    if (b < 0)
+    const long place = beam->place[K->layout][((long)e * V + v) * V + w];
+    if (place < 0)
         return;
-    const long j = model->unknown[model_vector(model, beam, e, w)];
-    for (int a = 0; a < 3; a++)
-        for (int c = 0; c < 3; c++)
-            Ax[pattern_scalar(&model->pattern, j, b, a, c)] += block[a][c];
+    const int stride = model->stride[K->layout][model->unknown[model_vector(model, beam, e, w)]];
+    for (int c = 0; c < 3; c++)
+        for (int a = 0; a < 3; a++)
+            K->value[place + c * stride + a] += block[a][c];
 }
 
 /* ---- the section where a load acts ---------------------------------------------------------- */
@@ -62,9 +62,9 @@ static void add_force(const struct hobe_model *model, const struct station *s, i
         }
 }
 
-/* Ax += factor * N_v N_w G over the vectors v of one mode and w of another. */
+/* K += factor * N_v N_w G over the vectors v of one mode and w of another. */
 static void add_stiffness(const struct hobe_model *model, const struct station *s, int mode_v,
-                          int mode_w, const double G[3][3], double factor, double *Ax)
+                          int mode_w, const double G[3][3], double factor, const struct matrix *K)
 {
     const struct beam *beam = s->place.beam;
     const struct hobe_kernel *k = beam->kernel;
@@ -76,7 +76,7 @@ static void add_stiffness(const struct hobe_model *model, const struct station *
             for (int a = 0; a < 3; a++)
                 for (int c = 0; c < 3; c++)
                     block[a][c] = factor * s->N[v] * s->N[w] * G[a][c];
-            tangent_add(model, beam, s->place.element, v, w, (const double(*)[3])block, Ax);
+            tangent_add(model, beam, s->place.element, v, w, (const double(*)[3])block, K);
         }
 }
 
@@ -110,7 +110,7 @@ static void angle_force(const double e[3], const double s[3], double m, double F
  * rotation about its own axis only.  The centreline's slope takes no part: a couple on it would be
  * carried by shear within one element, and soften without limit as the mesh is refined. */
 static void subtract_moment(const struct hobe_model *model, const struct hobe_moment *moment,
-                            const double *u, double factor, double *r, double *Ax)
+                            const double *u, double factor, double *r, const struct matrix *K)
 {
     struct station s;
     find_station(model, moment->beam, moment->at, u, &s);
@@ -123,8 +123,8 @@ static void subtract_moment(const struct hobe_model *model, const struct hobe_mo
         angle_force(frame[0], s.slope[slope], m[0] / 2, F, H);
         angle_force(frame[2 - slope], s.slope[slope], m[2 - slope], F, H);
         add_force(model, &s, 1 + slope, (const double *)F, -factor, r);
-        if (Ax)
-            add_stiffness(model, &s, 1 + slope, 1 + slope, (const double(*)[3])H, -factor, Ax);
+        if (K)
+            add_stiffness(model, &s, 1 + slope, 1 + slope, (const double(*)[3])H, -factor, K);
     }
 }
 
@@ -170,7 +170,7 @@ static void follower_derivative(const double slope[2][3], const double t[3][3], 
 }
 
 static void subtract_follower(const struct hobe_model *model, const struct hobe_force *force,
-                              const double *u, double factor, double *r, double *Ax)
+                              const double *u, double factor, double *r, const struct matrix *K)
 {
     struct station s;
     double t[3][3], local[3], F[3] = {0}, n_length;
@@ -182,11 +182,11 @@ static void subtract_follower(const struct hobe_model *model, const struct hobe_
             F[a] += local[b] * t[b][a];
     }
     add_force(model, &s, 0, (const double *)F, -factor, r);
-    for (int slope = 0; Ax && slope < 2; slope++) {
+    for (int slope = 0; K && slope < 2; slope++) {
         double G[3][3];
         follower_derivative((const double(*)[3])s.slope, (const double(*)[3])t, n_length,
                             (const double *)local, slope, G);
-        add_stiffness(model, &s, 0, 1 + slope, (const double(*)[3])G, -factor, Ax);
+        add_stiffness(model, &s, 0, 1 + slope, (const double(*)[3])G, -factor, K);
     }
 }
 
@@ -266,18 +266,18 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
 }
 
 void load_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
-                   double *Ax)
+                   const struct matrix *K)
 {
     for (long i = 0; i < 3 * model->vectors; i++)
         r[i] -= factor * model->dead[i];
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         if (force->follower)
-            subtract_follower(model, force, u, factor, r, Ax);
+            subtract_follower(model, force, u, factor, r, K);
     }
     for (size_t i = 0; i < model->moments.count; i++)
         subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, factor, r,
-                        Ax);
+                        K);
 }
 
 /* Whether a load acts inside an element, between its ends. */

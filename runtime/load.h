@@ -8,10 +8,10 @@
 /* Resolves the loads' beams and sums what does not depend on the state into model->dead. */
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err);
 
-/* r -= factor * Q(u), and Ax -= factor * dQ/du when Ax is not NULL: Q the forces of all loads on
+/* r -= factor * Q(u), and K -= factor * dQ/du when K is not NULL: Q the forces of all loads on
  * the vectors, [vectors][3], N or N m. */
 void load_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
-                   double *Ax);
+                   const struct matrix *K);
 
 /* f[vectors][3] += factor * the forces of the loads on element e of a beam that do not act at its
  * ends: its weight, and what acts between them. */
@@ -27,8 +27,9 @@ enum hobe_status load_at(const struct hobe_model *model, const char *beam, doubl
  * or NULL. */
 const struct hobe_force *load_follower(const struct hobe_model *model);
 
-/* Adds the 3 x 3 matrix block to the tangent's values at (v, w) of element e, where unknown. */
+/* K += a 3 x 3 block at (v, w) of element e, where the layout of K has it.  Of symmetric matrices
+ * both (v, w) and (w, v) are to be given. */
 void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
-                 const double block[3][3], double *Ax);
+                 const double block[3][3], const struct matrix *K);
 
 #endif

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include "lua_item.h"
 
+#include <math.h>
 #include <string.h>
 #include <time.h>
 
@@ -98,6 +99,9 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("cutbacks", solution.cutbacks, 'i', NULL, "steps that were given up and halved"),
     SOLVED("factorisations", solution.factorisations, 'i', NULL, "factorisations in all"),
     SOLVED("residual", solution.residual, 'd', NULL, "relative residual at the end"),
+    SOLVED("change", solution.change, 'd', NULL,
+           "share by which one more iteration would change the displacements: what tolerance and "
+           "round-off leave open; 0 for points of a path"),
     SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
     SOLVED("negative", solution.negative, 'i', NULL,
            "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "
@@ -428,6 +432,8 @@ static struct hobe_lua_scene *read_arguments(lua_State *L, const struct hobe_lua
 
 /* ---- statics -------------------------------------------------------------------------------- */
 
+static const double FEW_DIGITS = 1e-6; /* a change above this is said */
+
 struct options {
     struct hobe_newton newton;
     int line_search, log;
@@ -450,6 +456,19 @@ static const struct hobe_lua_key static_keys[] = {
 
 static const struct hobe_lua_schema static_schema = {"static", static_keys};
 
+/* Says when few digits are settled. */
+static void note_change(lua_State *L, const hobe_solution *solution)
+{
+    struct hobe_solution_info info;
+    hobe_solution_info(solution, &info);
+    if (info.change > FEW_DIGITS)
+        hobe_lua_note(
+            L,
+            "only about %d digits of the displacements are settled; the rest is round-off, "
+            "of which fewer elements make less, or the tolerance",
+            (int)-log10(info.change));
+}
+
 /* hobe.static(scene, options) */
 static int solve_static(lua_State *L)
 {
@@ -468,6 +487,7 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
+    note_change(L, result->solution);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, result->solution, beam, "", HOBE_WARNING_NONE);

@@ -16,7 +16,7 @@
 /* ---- mass ------------------------------------------------------------------------------------ */
 
 /* M = mass (x) I_3 of each element. */
-static void assemble_mass(const hobe_model *model, double *Mx)
+static void assemble_mass(const hobe_model *model, const struct matrix *M)
 {
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
@@ -27,7 +27,7 @@ static void assemble_mass(const hobe_model *model, double *Mx)
                 for (int w = 0; w < V; w++) {
                     const double m = mass[v * V + w];
                     const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
-                    tangent_add(model, beam, e, v, w, block, Mx);
+                    tangent_add(model, beam, e, v, w, block, M);
                 }
         }
     }
@@ -105,8 +105,8 @@ static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, ho
     if (status)
         return status;
     pencil_tangent(s, s->state ? s->state->info.load : 0, s->Ax);
-    assemble_mass(s->model, s->Mx);
-    pattern_scale(&s->model->pattern, s->Ax, s->scale);
+    assemble_mass(s->model, &(struct matrix){COLUMNS, s->Mx});
+    pattern_scale(s->model, &(struct matrix){COLUMNS, s->Ax}, s->scale);
     pencil_scale(s, s->Ax);
     pencil_scale(s, s->Mx);
     status = pencil_solve(s, o, &unstable, err);

@@ -2,6 +2,7 @@
 /* Building a model: items in, checked and numbered beams with a sparsity pattern out. */
 #include "model.h"
 
+#include "assemble.h"
 #include "constraint.h"
 #include "joint.h"
 #include "load.h"
@@ -76,12 +77,15 @@ void hobe_model_free(hobe_model *model)
         tie_free(model_tie(model, i));
     hobe_free(model->ties.item);
     hobe_linsolve_free(model->solver);
+    fronts_free(model->fronts);
+    for (int layout = 0; layout < LAYOUTS; layout++)
+        hobe_free(model->stride[layout]);
     pattern_free(&model->pattern);
     hobe_free(model->alias);
     hobe_free(model->unknown);
     hobe_free(model->held);
     hobe_free(model->dead);
-    hobe_free(model->work.q0);
+    assemble_free(&model->schedule);
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
     hobe_free(model->note);
@@ -323,26 +327,6 @@ enum hobe_status model_add_note(hobe_model *model, const char *text, struct hobe
 
 /* ---- build ---------------------------------------------------------------------------------- */
 
-static enum hobe_status allocate_work(hobe_model *model, struct hobe_error *err)
-{
-    size_t V = 0, scratch = 0;
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct hobe_kernel *k = model_beam(model, i)->kernel;
-        V = (size_t)k->vectors > V ? (size_t)k->vectors : V;
-        scratch = k->scratch > scratch ? k->scratch : scratch;
-    }
-    const size_t blocks = 9 * V * (V + 1) / 2;
-    struct workspace *w = &model->work;
-    w->q0 = hobe_alloc(9 * V + blocks + scratch, sizeof(hobe_lanes), err);
-    if (!w->q0)
-        return HOBE_NO_MEMORY;
-    w->u = w->q0 + 3 * V;
-    w->f = w->u + 3 * V;
-    w->K = w->f + 3 * V;
-    w->scratch = w->K + blocks;
-    return HOBE_OK;
-}
-
 static enum hobe_status build(hobe_model *model, struct hobe_error *err)
 {
     if (model->beams.count == 0)
@@ -356,13 +340,7 @@ static enum hobe_status build(hobe_model *model, struct hobe_error *err)
     status = pattern_build(model, err);
     if (!status)
         status = load_build(model, err);
-    if (!status)
-        status = allocate_work(model, err);
-    if (status)
-        return status;
-    model->solver =
-        hobe_linsolve_analyse(3 * model->unknowns, model->pattern.Ap, model->pattern.Ai, err);
-    return model->solver ? HOBE_OK : HOBE_NO_MEMORY;
+    return status ? status : assemble_schedule(model, err);
 }
 
 enum hobe_status hobe_model_build(hobe_model *model, struct hobe_error *err)

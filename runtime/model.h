@@ -10,6 +10,7 @@
 #define HOBE_MODEL_H
 
 #include "beam.h"
+#include "fronts.h"
 #include "hobe.h"
 #include "linsolve.h"
 
@@ -33,8 +34,32 @@ struct pattern {
     long *Ap, *Ai;     /* scalar columns */
 };
 
-struct workspace { /* of one batch, large enough for every beam */
-    hobe_lanes *q0, *u, *f, *K, *scratch;
+/* The values of a matrix in the model's pattern: scalar (a, c) of the block at a place in column j
+ * lies at value[place + c * stride[layout][j] + a]. */
+struct matrix {
+    enum layout layout;
+    double *value;
+};
+
+struct workspace {                               /* of one batch, large enough for every beam */
+    hobe_lanes *q0, *u, *f, *K, *more, *scratch; /* more: a second K */
+};
+
+/* Runs of neighbouring batches in the order of assembly: those of one colour share no vector, so
+ * that threads may take them at once, and sums are the same to the last digit for any number of
+ * threads.  The last colour is of those left over, one after the other. */
+enum { COLOURS = 64 };
+
+struct task {
+    const struct beam *beam;
+    int first, count; /* batches */
+};
+
+struct schedule {
+    struct task *task;
+    long first[COLOURS + 1];
+    int threads;
+    struct workspace *work; /* [threads] */
 };
 
 struct hobe_model {
@@ -51,8 +76,10 @@ struct hobe_model {
     long unknowns;           /* vectors solved for */
     double *dead;            /* [vectors][3] forces that do not depend on the state */
     struct pattern pattern;
-    hobe_linsolve *solver;
-    struct workspace work;
+    int *stride[LAYOUTS];  /* [unknowns] */
+    hobe_fronts *fronts;   /* NULL where tangents are not symmetric, or ties border them */
+    hobe_linsolve *solver; /* NULL until pattern_columns */
+    struct schedule schedule;
     char **note;
     size_t notes;
     double setup;

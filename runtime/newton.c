@@ -28,6 +28,12 @@ static const double DIVERGED = 1e12;
  * that has won every digit there is. */
 static const double ROUND_OFF = 8 * DBL_EPSILON;
 
+/* Below this share of the first residual of a step, its square adds no stress worth a thought. */
+static const double NEAR = 0.1;
+
+/* Displacements that one more iteration would change by more than this share are none. */
+static const double LOST = 0.01;
+
 void solver_log(struct solver *s, const char *note)
 {
     s->now.note = note;
@@ -66,6 +72,15 @@ double solver_norm(const struct solver *s, const double *field, int p)
     return sqrt(sum);
 }
 
+/* |D^-1 du| of the correction. */
+static double correction_norm(const struct solver *s)
+{
+    double sum = 0;
+    for (long i = 0; i < 3 * s->model->unknowns; i++)
+        sum += s->x[i] * s->x[i] / (s->scale[i] * s->scale[i]);
+    return sqrt(sum);
+}
+
 /* du . r */
 static double work_of(const struct solver *s)
 {
@@ -78,23 +93,60 @@ static double work_of(const struct solver *s)
     return sum;
 }
 
-void solver_evaluate(struct solver *s, double factor, int with_tangent)
+static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
-    assemble(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
-    constraint_add(s->model, s->u, s->r, with_tangent ? s->Ax : NULL);
-    load_subtract(s->model, s->u, factor, s->r, with_tangent ? s->Ax : NULL);
+    assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, K);
+    constraint_add(s->model, s->u, s->r, K);
+    load_subtract(s->model, s->u, factor, s->r, K);
+}
+
+void solver_evaluate(struct solver *s, double factor, enum tangent tangent)
+{
+    s->factor = factor;
+    s->expecting = tangent == NEXT_TANGENT;
+    for (long i = 0; s->expecting && i < 3 * s->model->vectors; i++)
+        s->step[i] = s->u[i] - s->turned[i];
+    if (tangent)
+        memcpy(s->turned, s->u, (size_t)(3 * s->model->vectors) * sizeof *s->u);
+    evaluate(s, factor, tangent ? &s->K : NULL);
 }
 
 /* ---- one step -------------------------------------------------------------------------------- */
 
+/* Where elimination without pivoting is not safe, the same tangent by LU with pivoting. */
+static enum hobe_status factor_in_columns(struct solver *s, struct hobe_error *err)
+{
+    const struct matrix *K = s->K.layout == COLUMNS ? &s->K : &s->pivoting;
+    if (K == &s->pivoting) {
+        if (pattern_columns(s->model, err))
+            return HOBE_NO_MEMORY;
+        if (!K->value && pattern_matrix(s->model, COLUMNS, &s->pivoting, err))
+            return HOBE_NO_MEMORY;
+        evaluate(s, s->factor, K);
+    }
+    s->factored = COLUMNS;
+    return hobe_linsolve_factor(s->model->solver, K->value, s->scale, &s->singular, err);
+}
+
 enum outcome solver_factor(struct solver *s, struct hobe_error *err)
 {
-    const enum hobe_status status =
-        hobe_linsolve_factor(s->model->solver, s->Ax, s->scale, &s->singular, err);
+    enum hobe_status status = HOBE_SINGULAR;
+    if (s->K.layout == FRONTS) {
+        s->factored = FRONTS;
+        status = fronts_factor(s->model->fronts, s->K.value, s->scale);
+    }
+    if (status == HOBE_SINGULAR)
+        status = factor_in_columns(s, err);
     s->info.factorisations++;
     if (status == HOBE_SINGULAR)
         solver_log(s, "singular tangent");
     return status == HOBE_SINGULAR ? FAILED : status ? ERROR : CONVERGED;
+}
+
+long solver_negative(const struct solver *s)
+{
+    return s->factored == FRONTS ? fronts_negative(s->model->fronts)
+                                 : hobe_linsolve_negative(s->model->solver);
 }
 
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,
@@ -103,7 +155,10 @@ enum hobe_status solver_solve(struct solver *s, const double *field, double fact
     solver_restrict(s->model, field, x);
     for (long i = 0; i < 3 * s->model->unknowns; i++)
         x[i] *= factor;
-    return hobe_linsolve_solve(s->model->solver, x, err);
+    if (s->factored == COLUMNS)
+        return hobe_linsolve_solve(s->model->solver, x, err);
+    fronts_solve(s->model->fronts, s->K.value, x);
+    return HOBE_OK;
 }
 
 /* Takes the correction, halved until the work of the residual along it has fallen. */
@@ -112,11 +167,11 @@ static void search_line(struct solver *s, double factor)
     const double first = fabs(work_of(s));
     double taken = 1;
     solver_move(s, s->x, 1);
-    solver_evaluate(s, factor, 0);
+    solver_evaluate(s, factor, NO_TANGENT);
     for (int cut = 0; cut < LINE_SEARCH_CUTS && !(fabs(work_of(s)) <= 0.9 * first); cut++) {
         solver_move(s, s->x, -taken / 2);
         taken /= 2;
-        solver_evaluate(s, factor, 0);
+        solver_evaluate(s, factor, NO_TANGENT);
     }
     s->now.line = taken;
 }
@@ -140,19 +195,40 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
     return GOING_ON;
 }
 
+/* Measures what one more iteration would change: a residual of round-off may move a slender beam
+ * far.  FAILED where that leaves nothing. */
+static enum outcome measure_change(struct solver *s, struct hobe_error *err)
+{
+    const double size = solver_norm(s, s->u, -1);
+    const enum outcome outcome = size > 0 ? solver_factor(s, err) : FAILED;
+    s->info.change = size > 0 ? NAN : 0;
+    if (outcome != CONVERGED)
+        return outcome == ERROR ? ERROR : CONVERGED;
+    if (solver_solve(s, s->r, -1, s->x, err))
+        return ERROR;
+    s->info.change = correction_norm(s) / size;
+    if (s->info.change <= LOST)
+        return CONVERGED;
+    solver_log(s, "lost in round-off");
+    return FAILED;
+}
+
 /* Newton from the current state to equilibrium at a load factor. */
 static enum outcome iterate(struct solver *s, double factor, int line_search,
                             struct hobe_error *err)
 {
-    double first_energy = 0, last_norm = INFINITY;
+    double first_energy = 0, first_norm = 0, last_norm = INFINITY;
     s->now.load = factor;
     s->now.line = s->now.energy = 1;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
-        solver_evaluate(s, factor, 1);
+        const int far = s->now.iteration > 0 && last_norm > NEAR * first_norm;
+        solver_evaluate(s, factor, far ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
+        if (s->now.iteration == 0)
+            first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
-            return outcome;
+            return outcome == CONVERGED ? measure_change(s, err) : outcome;
         last_norm = norm;
         outcome = solver_factor(s, err);
         if (outcome != CONVERGED)
@@ -272,8 +348,8 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 /* D = diag(K)^(-1/2) and the norm of the load, both at the reference. */
 static void set_scale(struct solver *s)
 {
-    solver_evaluate(s, 1, 1);
-    pattern_scale(&s->model->pattern, s->Ax, s->scale);
+    solver_evaluate(s, 1, TRUE_TANGENT);
+    pattern_scale(s->model, &s->K, s->scale);
     s->load_norm = solver_norm(s, s->r, 1); /* F = 0 at the reference */
 }
 
@@ -282,19 +358,25 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     const size_t vectors = (size_t)(3 * s->model->vectors), n = (size_t)(3 * s->model->unknowns);
     s->u = hobe_alloc(vectors, sizeof *s->u, err);
     s->start = hobe_alloc(vectors, sizeof *s->start, err);
+    s->turned = hobe_alloc(vectors, sizeof *s->turned, err);
+    s->step = hobe_alloc(vectors, sizeof *s->step, err);
     s->r = hobe_alloc(vectors, sizeof *s->r, err);
-    s->Ax = hobe_alloc((size_t)s->model->pattern.Ap[n], sizeof *s->Ax, err);
     s->x = hobe_alloc(n, sizeof *s->x, err);
     s->scale = hobe_alloc(n, sizeof *s->scale, err);
-    return s->u && s->start && s->r && s->Ax && s->x && s->scale ? HOBE_OK : HOBE_NO_MEMORY;
+    if (!s->u || !s->start || !s->turned || !s->step || !s->r || !s->x || !s->scale)
+        return HOBE_NO_MEMORY;
+    return pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err);
 }
 
 void solver_close(struct solver *s)
 {
     hobe_free(s->u);
     hobe_free(s->start);
+    hobe_free(s->turned);
+    hobe_free(s->step);
     hobe_free(s->r);
-    hobe_free(s->Ax);
+    hobe_free(s->K.value);
+    hobe_free(s->pivoting.value);
     hobe_free(s->x);
     hobe_free(s->scale);
 }

@@ -13,13 +13,19 @@
 struct solver {
     hobe_model *model;
     struct hobe_newton options;
-    double *u;        /* [vectors][3] accepted state, then the one being found */
-    double *start;    /* state at the start of the step */
-    double *r;        /* [vectors][3] residual F - factor Q */
-    double *Ax;       /* tangent */
-    double *x;        /* [unknowns] right-hand side and correction */
-    double *scale;    /* [unknowns] D */
-    double load_norm; /* |D Q| at the reference */
+    double *u;       /* [vectors][3] accepted state, then the one being found */
+    double *start;   /* state at the start of the step */
+    double *r;       /* [vectors][3] residual F - factor Q */
+    struct matrix K; /* tangent of the last evaluation, or its factors where they are fronts */
+    double factor;   /* of the load there */
+    double *turned;  /* [vectors][3] state of the last tangent */
+    double *step;    /* [vectors][3] from the tangent before, where this one expects it */
+    int expecting;
+    struct matrix pivoting; /* the tangent once more where fronts need it, in columns */
+    enum layout factored;   /* whose factors are the last */
+    double *x;              /* [unknowns] right-hand side and correction */
+    double *scale;          /* [unknowns] D */
+    double load_norm;       /* |D Q| at the reference */
     struct hobe_solution_info info;
     struct hobe_iteration now;
     long singular;      /* column of a vanishing pivot */
@@ -36,8 +42,10 @@ void solver_close(struct solver *s);
 /* One line of the log, with a note. */
 void solver_log(struct solver *s, const char *note);
 
-/* The residual in the current state; and the tangent when asked for. */
-void solver_evaluate(struct solver *s, double factor, int with_tangent);
+/* The residual in the current state; and the tangent when asked for, the true one or that which is
+ * best for the next iteration, with the stresses expected of the last. */
+enum tangent { NO_TANGENT, TRUE_TANGENT, NEXT_TANGENT };
+void solver_evaluate(struct solver *s, double factor, enum tangent tangent);
 
 /* |D^p field| over the unknowns, p = 1 for forces, -1 for displacements; NaN where the field is. */
 double solver_norm(const struct solver *s, const double *field, int p);
@@ -47,6 +55,9 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm);
 
 /* Factors of the tangent: CONVERGED, FAILED where it is singular, ERROR. */
 enum outcome solver_factor(struct solver *s, struct hobe_error *err);
+
+/* Negative eigenvalues of the tangent that was factored last; -1 where that is not known. */
+long solver_negative(const struct solver *s);
 
 /* x = factor K^-1 field by the last factors. */
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,

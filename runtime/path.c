@@ -107,7 +107,7 @@ static enum outcome iterate(struct follower *f, const struct plane *plane, struc
     s->now.line = 1;
     s->now.energy = 0;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
-        solver_evaluate(s, f->lambda, 1);
+        solver_evaluate(s, f->lambda, s->now.iteration ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
         s->now.load = f->lambda;
         enum outcome outcome = solver_judge(s, norm, last_norm);
@@ -130,15 +130,15 @@ static enum outcome count_and_factor(struct follower *f, struct hobe_error *err)
     struct solver *s = &f->s;
     long negative = -1, spare;
     const int tied = inertia_multipliers(s->model, &spare) > 0;
-    solver_evaluate(s, f->lambda, 1);
+    solver_evaluate(s, f->lambda, TRUE_TANGENT);
     if (tied && f->symmetric) {
-        if (inertia_behind_ties(s->model, s->Ax, s->scale, &negative, err))
+        if (inertia_behind_ties(s->model, s->K.value, s->scale, &negative, err))
             return ERROR;
-        solver_evaluate(s, f->lambda, 1);
+        solver_evaluate(s, f->lambda, TRUE_TANGENT);
     }
     const enum outcome outcome = solver_factor(s, err);
     if (outcome == CONVERGED && !tied && f->symmetric)
-        negative = hobe_linsolve_negative(s->model->solver);
+        negative = solver_negative(s);
     s->info.negative = (int)negative;
     return outcome;
 }

@@ -2,9 +2,11 @@
 #include "pattern.h"
 
 #include "constraint.h"
+#include "load.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 void pattern_free(struct pattern *p)
 {
@@ -107,22 +109,64 @@ static long find_block(const struct pattern *p, long i, long j)
     return found - p->row;
 }
 
-static enum hobe_status scatter_map(const struct hobe_model *model, struct beam *beam,
-                                    struct hobe_error *err)
+/* Where a layout has block (i, j) of unknown vectors, and its stride. */
+static long find_place(const struct hobe_model *model, enum layout layout, long i, long j)
+{
+    return layout == FRONTS
+               ? fronts_place(model->fronts, i, j)
+               : pattern_scalar(&model->pattern, j, find_block(&model->pattern, i, j), 0, 0);
+}
+
+static int find_stride(const struct hobe_model *model, enum layout layout, long j)
+{
+    const long *start = model->pattern.start;
+    return layout == FRONTS ? fronts_stride(model->fronts, j)
+                            : (int)(3 * (start[j + 1] - start[j]));
+}
+
+static enum hobe_status map_beam(const struct hobe_model *model, enum layout layout,
+                                 struct beam *beam, struct hobe_error *err)
 {
     const int V = beam->kernel->vectors;
-    beam->block =
-        hobe_alloc((size_t)beam->spec.elements * (size_t)(V * V), sizeof *beam->block, err);
-    if (!beam->block)
+    long *place = hobe_alloc((size_t)beam->spec.elements * (size_t)(V * V), sizeof *place, err);
+    beam->place[layout] = place;
+    if (!place)
         return HOBE_NO_MEMORY;
-    long *block = beam->block;
     for (int e = 0; e < beam->spec.elements; e++)
         for (int v = 0; v < V; v++)
             for (int w = 0; w < V; w++) {
                 const long i = unknown(model, beam, e, v), j = unknown(model, beam, e, w);
-                *block++ = i >= 0 && j >= 0 ? find_block(&model->pattern, i, j) : -1;
+                *place++ = i >= 0 && j >= 0 ? find_place(model, layout, i, j) : -1;
             }
     return HOBE_OK;
+}
+
+static enum hobe_status map_beams(struct hobe_model *model, enum layout layout,
+                                  struct hobe_error *err)
+{
+    int *stride = hobe_alloc((size_t)model->unknowns, sizeof *stride, err);
+    model->stride[layout] = stride;
+    enum hobe_status status = stride ? HOBE_OK : HOBE_NO_MEMORY;
+    for (long j = 0; !status && j < model->unknowns; j++)
+        stride[j] = find_stride(model, layout, j);
+    for (size_t b = 0; !status && b < model->beams.count; b++)
+        status = map_beam(model, layout, model_beam(model, b), err);
+    return status;
+}
+
+/* What an attempt that failed has made. */
+static void drop_columns(struct hobe_model *model)
+{
+    struct pattern *p = &model->pattern;
+    hobe_free(p->Ap);
+    hobe_free(p->Ai);
+    p->Ap = p->Ai = NULL;
+    hobe_free(model->stride[COLUMNS]);
+    model->stride[COLUMNS] = NULL;
+    for (size_t b = 0; b < model->beams.count; b++) {
+        hobe_free(model_beam(model, b)->place[COLUMNS]);
+        model_beam(model, b)->place[COLUMNS] = NULL;
+    }
 }
 
 static void tie_map(const struct hobe_model *model, const struct tie *tie)
@@ -135,7 +179,7 @@ static void tie_map(const struct hobe_model *model, const struct tie *tie)
         }
 }
 
-enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
+static enum hobe_status block_columns(struct hobe_model *model, struct hobe_error *err)
 {
     struct pattern *p = &model->pattern;
     p->blocks = model->unknowns;
@@ -150,15 +194,63 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
         return HOBE_NO_MEMORY;
     each_pair(model, fill_pair, p);
     tidy_columns(p);
-    enum hobe_status status = scalar_columns(p, err);
-    for (size_t b = 0; !status && b < model->beams.count; b++)
-        status = scatter_map(model, model_beam(model, b), err);
-    for (size_t i = 0; !status && i < model->ties.count; i++)
-        tie_map(model, model_tie(model, i));
-    return status;
+    return HOBE_OK;
 }
 
-void pattern_scale(const struct pattern *p, const double *Ax, double *scale)
+enum hobe_status pattern_columns(struct hobe_model *model, struct hobe_error *err)
+{
+    struct pattern *p = &model->pattern;
+    if (model->solver)
+        return HOBE_OK;
+    enum hobe_status status = scalar_columns(p, err);
+    if (!status)
+        status = map_beams(model, COLUMNS, err);
+    for (size_t i = 0; !status && i < model->ties.count; i++)
+        tie_map(model, model_tie(model, i));
+    if (!status)
+        model->solver = hobe_linsolve_analyse(3 * p->blocks, p->Ap, p->Ai, err);
+    if (!model->solver)
+        drop_columns(model);
+    return model->solver ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
+{
+    const struct pattern *p = &model->pattern;
+    const enum hobe_status status = block_columns(model, err);
+    if (status)
+        return status;
+    if (load_follower(model) || model->ties.count > 0)
+        return pattern_columns(model, err);
+    model->fronts = fronts_analyse(p->blocks, p->start, p->row, err);
+    return model->fronts ? map_beams(model, FRONTS, err) : HOBE_NO_MEMORY;
+}
+
+static size_t values(const struct hobe_model *model, enum layout layout)
+{
+    return layout == FRONTS ? fronts_size(model->fronts)
+                            : (size_t)(9 * model->pattern.start[model->unknowns]);
+}
+
+enum hobe_status pattern_matrix(const struct hobe_model *model, enum layout layout,
+                                struct matrix *matrix, struct hobe_error *err)
+{
+    matrix->layout = layout;
+    matrix->value = hobe_alloc(values(model, layout), sizeof *matrix->value, err);
+    return matrix->value ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+void pattern_clear(const struct hobe_model *model, const struct matrix *matrix)
+{
+    const size_t size = values(model, matrix->layout), share = 1 << 16;
+    const int threads = model->schedule.threads;
+    (void)threads; /* without OpenMP */
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    for (size_t i = 0; i < size; i += share)
+        memset(matrix->value + i, 0, (size - i < share ? size - i : share) * sizeof(double));
+}
+
+static void scale_columns(const struct pattern *p, const double *Ax, double *scale)
 {
     for (long j = 0; j < 3 * p->blocks; j++)
         scale[j] = 0;
@@ -175,4 +267,12 @@ void pattern_scale(const struct pattern *p, const double *Ax, double *scale)
             else if (multipliers && diagonal == 0)
                 scale[j] = largest > 0 ? 1 / largest : 1;
         }
+}
+
+void pattern_scale(const struct hobe_model *model, const struct matrix *A, double *scale)
+{
+    if (A->layout == FRONTS)
+        fronts_scale(model->fronts, A->value, scale);
+    else
+        scale_columns(&model->pattern, A->value, scale);
 }

@@ -5,12 +5,21 @@
 
 #include "model.h"
 
-/* Fills model->pattern and every beam's block[] from the numbering. */
+/* Fills model->pattern from the numbering and lays tangents out: in fronts where they are symmetric
+ * and need no pivoting by the look of them, else in columns. */
 enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err);
 
-/* scale[3 * blocks] = diag(A)^(-1/2) for the values Ax of a tangent.  A multiplier has no diagonal:
- * its row is scaled to entries of order one. */
-void pattern_scale(const struct pattern *pattern, const double *Ax, double *scale);
+/* Lays tangents out in columns as well, and opens model->solver, unless that is done. */
+enum hobe_status pattern_columns(struct hobe_model *model, struct hobe_error *err);
+
+/* A matrix of the model's pattern with all values zero; the caller frees its values. */
+enum hobe_status pattern_matrix(const struct hobe_model *model, enum layout layout,
+                                struct matrix *matrix, struct hobe_error *err);
+void pattern_clear(const struct hobe_model *model, const struct matrix *matrix);
+
+/* scale[3 * blocks] = diag(A)^(-1/2) of a tangent.  A multiplier has no diagonal: its row is scaled
+ * to entries of order one. */
+void pattern_scale(const struct hobe_model *model, const struct matrix *A, double *scale);
 
 void pattern_free(struct pattern *pattern);
 

@@ -23,9 +23,10 @@ enum {
 
 void pencil_tangent(struct pencil *s, double factor, double *Ax)
 {
-    assemble(s->model, s->u, s->r, Ax);
-    constraint_add(s->model, s->u, s->r, Ax);
-    load_subtract(s->model, s->u, factor, s->r, Ax);
+    const struct matrix K = {COLUMNS, Ax};
+    assemble(s->model, s->u, s->r, &K);
+    constraint_add(s->model, s->u, s->r, &K);
+    load_subtract(s->model, s->u, factor, s->r, &K);
 }
 
 void pencil_scale(const struct pencil *s, double *Ax)
@@ -225,6 +226,8 @@ enum hobe_status pencil_open(struct pencil *s, const char *what, struct hobe_err
 {
     if (check_state(s, what, err))
         return HOBE_BAD_INPUT;
+    if (pattern_columns(s->model, err))
+        return HOBE_NO_MEMORY;
     const size_t size = (size_t)(3 * s->model->vectors), n = (size_t)(3 * s->model->unknowns);
     s->n = (long)n;
     long spare;

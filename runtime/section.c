@@ -49,7 +49,9 @@ static int find_function(const char *name)
 {
     static const char *const names[] = {
         [HOBE_W] = "w",     [HOBE_WY] = "wy",   [HOBE_WZ] = "wz",   [HOBE_WW] = "ww",
-        [HOBE_V1Y] = "v1y", [HOBE_V1Z] = "v1z", [HOBE_V2Y] = "v2y", [HOBE_V2Z] = "v2z"};
+        [HOBE_W1] = "w1",   [HOBE_W2] = "w2",   [HOBE_W3] = "w3",   [HOBE_W2T] = "w2t",
+        [HOBE_V1Y] = "v1y", [HOBE_V1Z] = "v1z", [HOBE_V2Y] = "v2y", [HOBE_V2Z] = "v2z",
+        [HOBE_V3Y] = "v3y", [HOBE_V3Z] = "v3z"};
     int i = 0;
     while (i < HOBE_ALL_FUNCTIONS && strcmp(name, names[i]) != 0)
         i++;
@@ -72,7 +74,7 @@ static enum hobe_status prepare(const hobe_section *section, const char *name,
     if (slot == HOBE_ALL_FUNCTIONS)
         return hobe_fail(err, HOBE_UNKNOWN, NULL,
                          "a section has no function %s; it has w, wy and wz, and of a solved "
-                         "outline ww, v1y, v1z, v2y and v2z",
+                         "outline ww, w1, w2, w3, w2t and v1y, v1z to v3y, v3z",
                          name);
     double wall_bending;
     return slot < HOBE_SECTION_FUNCTIONS ? HOBE_OK

@@ -15,10 +15,16 @@ enum {
     HOBE_WZ,
     HOBE_SECTION_FUNCTIONS,
     HOBE_WW = HOBE_SECTION_FUNCTIONS,
+    HOBE_W1,
+    HOBE_W2,
+    HOBE_W3,
+    HOBE_W2T,
     HOBE_V1Y,
     HOBE_V1Z,
     HOBE_V2Y,
     HOBE_V2Z,
+    HOBE_V3Y,
+    HOBE_V3Z,
     HOBE_ALL_FUNCTIONS
 };
 

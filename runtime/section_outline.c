@@ -175,7 +175,7 @@ static void functions(const hobe_section *section, int paper, double y, double z
     const double *distortion = owner(s)->distortion;
     hobe_mesh_fields(&s->mesh, s->values, &place, f);
     if (distortion) {
-        double more[HOBE_DISTORTIONS][4];
+        double more[HOBE_DISTORTIONS][4] = {{0}}; /* without change along the beam */
         for (int part = 0; part < HOBE_DISTORTIONS; part += HOBE_SECTION_FUNCTIONS)
             hobe_mesh_fields(&s->mesh, distortion + part * s->mesh.nodes, &place, more + part);
         memcpy(f + HOBE_SECTION_FUNCTIONS, more,

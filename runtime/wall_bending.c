@@ -165,12 +165,13 @@ static void tell(const struct beam *beam, const struct hobe_wall_bending *b,
              100 * b->loss, limit);
 }
 
-/* Whether walls could matter at that twist rate. */
+/* Whether walls could matter at that twist rate and the element would not find that itself. */
 static int worth_asking(const struct beam *beam, double rate)
 {
     const struct hobe_section *section = beam->spec.section;
     const double extent = hypot(section->properties.width, section->properties.height);
-    return !hobe_section_varies(section) && fabs(rate) * extent > SLIGHT;
+    return !hobe_section_varies(section) && !has_mode(beam->kernel, "w2t") &&
+           fabs(rate) * extent > SLIGHT;
 }
 
 /* What is to be said, in order of cost. */

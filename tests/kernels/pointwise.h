@@ -20,8 +20,8 @@ typedef long double complex number;
 
 enum {
     PW_NODES = 4,
-    PW_MODES = 15,   /* complete quartic */
-    PW_VECTORS = 40, /* 34X3 */
+    PW_MODES = 17,   /* MGD30d2 */
+    PW_VECTORS = 52, /* MGD30d2 */
     PW_DOFS = 3 * PW_VECTORS,
     PW_GAUSS = 10 /* points of a Gauss rule in one direction, at most */
 };

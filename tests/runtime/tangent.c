@@ -2,6 +2,7 @@
 #include "tangent.h"
 
 #include "check.h"
+#include "pattern.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,7 +12,8 @@
 struct probe {
     const hobe_model *model;
     residual_part *part;
-    double *u, *moved, *r, *Ax, *d[2], *product;
+    double *u, *moved, *r, *d[2], *product;
+    struct matrix K; /* in columns */
 };
 
 static double *numbers(long n)
@@ -35,7 +37,8 @@ static void probe_open(struct probe *p, const hobe_model *model, residual_part *
     double **const fields[] = {&p->u, &p->moved, &p->r, &p->product, &p->d[0], &p->d[1]};
     for (int i = 0; i < 6; i++)
         *fields[i] = numbers(n);
-    p->Ax = numbers(model->pattern.Ap[3 * model->unknowns]);
+    if (pattern_matrix(model, COLUMNS, &p->K, NULL))
+        check_stop("out of memory");
     random_field(model, 0.3, p->u);
     random_field(model, 1, p->d[0]);
     random_field(model, 1, p->d[1]);
@@ -43,9 +46,10 @@ static void probe_open(struct probe *p, const hobe_model *model, residual_part *
 
 static void probe_close(struct probe *p)
 {
-    double *const all[] = {p->u, p->moved, p->r, p->Ax, p->product, p->d[0], p->d[1]};
-    for (int i = 0; i < 7; i++)
+    double *const all[] = {p->u, p->moved, p->r, p->product, p->d[0], p->d[1]};
+    for (int i = 0; i < 6; i++)
         free(all[i]);
+    hobe_free(p->K.value);
 }
 
 /* product = A d over the unknowns, as a field on the vectors. */
@@ -62,7 +66,7 @@ static void multiply(const struct probe *p, const double *d)
     for (long j = 0; j < 3 * model->unknowns; j++)
         for (long k = model->pattern.Ap[j]; k < model->pattern.Ap[j + 1]; k++) {
             const long i = model->pattern.Ai[k];
-            p->product[3 * vector[i / 3] + i % 3] += p->Ax[k] * d[3 * vector[j / 3] + j % 3];
+            p->product[3 * vector[i / 3] + i % 3] += p->K.value[k] * d[3 * vector[j / 3] + j % 3];
         }
     free(vector);
 }
@@ -95,10 +99,10 @@ void check_tangent(hobe_model *model, residual_part *part, int symmetric, const 
 {
     struct hobe_error err;
     struct probe p;
-    if (hobe_model_build(model, &err))
+    if (hobe_model_build(model, &err) || pattern_columns(model, &err))
         check_stop("%s: %s", what, err.message);
     probe_open(&p, model, part);
-    part(model, p.u, p.r, p.Ax);
+    part(model, p.u, p.r, &p.K);
     multiply(&p, p.d[0]);
     const double one = inner(&p, p.d[1], p.product), size = sqrt(inner(&p, p.product, p.product));
     check_that(size > 0, "%s: the tangent is there", what);

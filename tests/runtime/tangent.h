@@ -5,8 +5,9 @@
 
 #include "model.h"
 
-/* Adds a force on all vectors in state u to r, and its derivative to Ax unless NULL. */
-typedef void residual_part(const hobe_model *model, const double *u, double *r, double *Ax);
+/* Adds a force on all vectors in state u to r, and its derivative to K unless NULL. */
+typedef void residual_part(const hobe_model *model, const double *u, double *r,
+                           const struct matrix *K);
 
 /* At a random state, slopes turned and stretched by a third: the tangent agrees with differences of
  * the force, and is symmetric if there is a potential, and only then.  Builds the model. */

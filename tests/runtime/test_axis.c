@@ -260,9 +260,10 @@ static void close_helical(struct helical *h)
     hobe_section_free(h->section);
 }
 
-static void forces_of_loads(const hobe_model *model, const double *u, double *r, double *Ax)
+static void forces_of_loads(const hobe_model *model, const double *u, double *r,
+                            const struct matrix *K)
 {
-    load_subtract(model, u, 0.7, r, Ax);
+    load_subtract(model, u, 0.7, r, K);
 }
 
 /* At rest there is no force at all: strains are differences from the reference. */

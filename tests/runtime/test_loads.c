@@ -14,9 +14,9 @@ static const double E = 70e9, NU = 0.33;
 /* ---- tangents
  * ------------------------------------------------------------------------------------ */
 
-static void all_loads(const hobe_model *model, const double *u, double *r, double *Ax)
+static void all_loads(const hobe_model *model, const double *u, double *r, const struct matrix *K)
 {
-    load_subtract(model, u, 0.7, r, Ax);
+    load_subtract(model, u, 0.7, r, K);
 }
 
 static void tangents(void)

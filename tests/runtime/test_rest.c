@@ -143,7 +143,7 @@ static int kept_vectors(const struct hobe_kernel *kernel)
     int kept = 0;
     for (int v = 0; v < kernel->vectors; v++) {
         const char *mode = kernel->mode[kernel->vector[v].mode];
-        kept += mode[0] != 'v' && strcmp(mode, "ww") != 0;
+        kept += mode[0] != 'v' && (mode[0] != 'w' || strchr("yz", mode[1]));
     }
     return kept;
 }
