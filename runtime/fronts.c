@@ -267,7 +267,9 @@ static enum hobe_status make_room_for_one(hobe_fronts *f, struct hobe_error *err
 static const struct panel_functions *choose_panel(void)
 {
 #ifdef HOBE_AVX2
-    if (!getenv("HOBE_PORTABLE") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    const char *only = getenv("HOBE_MACHINE"); /* as in kernel.h */
+    if ((!only || strcmp(only, "portable") != 0) && __builtin_cpu_supports("avx2") &&
+        __builtin_cpu_supports("fma"))
         return &panel_avx2;
 #endif
     return &panel_portable;
