@@ -197,16 +197,16 @@ TENSOR_SIZES = {
 TENSOR_TABLES = {
     "parity": ("unsigned char", "of each section vector: 1 odd in y, 2 odd in z"),
     "mirror_of": ("short", "of each nodal vector: its image about mid-length, in rows"),
-    "left": ("short", "of each column: q_left + sign q_right, less the last position where shifted; "
-                      "its\n * function is share (N_left + sign N_right)"),
+    "left": ("short", "of each column: q_left + sign q_right, less the last position where "
+                      "shifted; its\n * function is share (N_left + sign N_right)"),
     "right": ("short", None), "shifted": ("short", None), "sign": ("double", None),
     "share": ("double", None),
     "pair_t": ("short", "pairs of columns: those with t = v, then the others, by class"),
     "pair_v": ("short", None), "first_pair": ("short", None), "first_cross": ("short", None),
     "row": ("short", "rows of Q and of the symmetric part, by class"), "first_row": ("short", None),
     "skew_row": ("short", "rows of the skew part, by class"), "first_skew_row": ("short", None),
-    "merged": ("short", "by the section's symmetry: how many classes a row meets, and its own class "
-                        "times which"),
+    "merged": ("short", "by the section's symmetry: how many classes a row meets, and its own "
+                        "class times which"),
     "merged_with": ("short", None),
     "image": ("short", "pairs of rows that are images, and rows that are their own"),
     "alone": ("short", None),
@@ -218,8 +218,8 @@ def _tensor_tables(element, layout):
     tables = {"parity": parity + parity[1:], **layout.tables,
               "sign": [c.sign for c in layout.columns],
               "share": [_number(c.share) for c in layout.columns]}
-    lines = ["/* ---- eqs. 27 and 28 as products with constant matrices (generator/tensor.py) ---- */",
-             "", *_enum(layout.sizes, TENSOR_SIZES), ""]
+    lines = ["/* ---- eqs. 27 and 28 as products with constant matrices (generator/tensor.py) "
+             "---- */", "", *_enum(layout.sizes, TENSOR_SIZES), ""]
     for name, (kind, note) in TENSOR_TABLES.items():
         lines += [f"/* {note} */"] if note else []
         lines.append(_table(f"static const {kind} {name}[]", map(str, tables[name])))

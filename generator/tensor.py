@@ -36,7 +36,7 @@ from .ir import Do, Function, If, Let, Note, loop
 
 SYMMETRIES = range(4)  # of a section: 1 in y, 2 in z, both, none
 CLASSES = 8            # of pairs: 1 odd in x, 2 odd in y, 4 odd in z
-MERGED = (0, 2, 4, 6), (0, 4), (0, 2), (0,)  # classes that a symmetry leaves with class 0
+MERGED = (0, 2, 4, 6), (0, 4), (0, 2), (0,)  # by symmetry: classes that are not kept from class 0
 HEIGHTS = 4, 2, 4      # rows at a time: their sums of 1, 6 and 3 columns fit 16 registers
 
 
@@ -74,13 +74,13 @@ class Layout:
     def sizes(self):
         """Names and values of the constants that the loops run over."""
         return {
-            "COLUMNS": len(self.columns),      # sums and differences of nodal vectors
-            "PAIRS": len(self.pairs),    # of those
-            "BLOCKS": _pair(len(self.mirror), 0),  # of the tangent, pairs of nodal vectors
-            "IMAGES": len(self.images),  # rows with a mirror image other than themselves
-            "ALONE": len(self.alone),    # rows without
+            "COLUMNS": len(self.columns),
+            "PAIRS": len(self.pairs),
+            "BLOCKS": _pair(len(self.mirror), 0),
+            "IMAGES": len(self.images),
+            "ALONE": len(self.alone),
             "CLASSES": CLASSES,
-            "LAST": self.last,           # the last position
+            "LAST": self.last,
             "OPPOSED": int(self.opposed),
         }
 
@@ -96,8 +96,8 @@ class Layout:
             "first_cross": [max(n, len(self.columns)) for n in self.first_pair],
             "row": self.rows, "first_row": self.first_row,
             "skew_row": self.skew_rows, "first_skew_row": self.first_skew_row,
-            "merged": [len(m) for m in MERGED], "merged_with": [(*m, 0, 0, 0)[i] for m in MERGED
-                                                                for i in range(4)],
+            "merged": [len(m) for m in MERGED],
+            "merged_with": [k for m in MERGED for k in (*m, 0, 0, 0)[:4]],
             "image": [r for pair in self.images for r in pair], "alone": self.alone,
         }
 
@@ -130,8 +130,8 @@ def layout(element):
     rows, kinds, skew_kinds, images, alone = _rows(mirror, sign, parity, first=int(opposed))
     order, first_row = _by_class(rows, kinds)
     skew, first_skew = _by_class(skew_kinds, skew_kinds)
-    return Layout(positions[-1], opposed, mirror, columns, pairs, first_pair, order, first_row, skew,
-                  first_skew, images, alone)
+    return Layout(positions[-1], opposed, mirror, columns, pairs, first_pair, order, first_row,
+                  skew, first_skew, images, alone)
 
 
 def _put(items, place, item):
@@ -188,9 +188,10 @@ def _by_class(items, kind, key=lambda _: 0):
 
 
 def _rows(mirror, sign, parity, first):
-    """Rows of vectors from `first` on; classes of those of S and of R; images; rows alone.  Of two images with the sign s, the
-    first row holds the part that both have alike, x-even where s > 0; the second the other.  An
-    image with its indices exchanged is a transpose, and that of R is -R."""
+    """Rows of vectors from `first` on; classes of those of S and of R; images; rows alone.  Of two
+    images with the sign s, the first row holds the part that both have alike, x-even where s > 0;
+    the second the other.  An image with its indices exchanged is a transpose, and that of R is
+    -R."""
     rows, kinds, skew, images, alone = [], {}, {}, [], []
     for i in range(first, len(mirror)):
         for j in range(first, i + 1):
@@ -220,9 +221,11 @@ INVARIANTS = "const struct hobe_invariants *inv"
 
 def functions():
     """The loop nests, the same for every element."""
-    return (_columns_of(), _differences(), _products(), _sum("row_stress", "Q", "row", HEIGHTS[0], 1),
-            _sum("row_symmetric", "sym", "row", HEIGHTS[1], 6), _sum("row_skew", "skew", "skew_row", HEIGHTS[2], 3),
-            _state(), _force(), _block(), _blocks(), _opposed(), _force_part(), _tangent_part())
+    sums = (_sum("row_stress", "Q", "row", HEIGHTS[0], 1),
+            _sum("row_symmetric", "sym", "row", HEIGHTS[1], 6),
+            _sum("row_skew", "skew", "skew_row", HEIGHTS[2], 3))
+    return (_columns_of(), _differences(), _products(), *sums, _state(), _force(), _block(),
+            _blocks(), _opposed(), _force_part(), _tangent_part())
 
 
 def _columns_of():
@@ -266,7 +269,7 @@ def _products():
 
 
 def _sum(name, target, row, height, width):
-    """target_r += sum_p coefficient_rp X_p over the columns that meet the row's class: `height` rows
+    """target_r = sum_p coefficient_rp X_p over the columns that meet the row's class: `height` rows
     at a time, whose sums stay in registers, then the rest one by one."""
     first = f"first_{row}"
     skew = row == "skew_row"  # without the diagonal columns, t = v
@@ -385,7 +388,8 @@ def _blocks():
 
     return Function(
         "blocks", (*given("Q", "sym", "skew"), *filled("K")),
-        "K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, those of images from their sum and difference",
+        "K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, "
+        "those of images from their sum and difference",
         (loop("o", "IMAGES",
               Let("m", "image[2 * o]"), Let("n", "image[2 * o + 1]"),
               Do("const hobe_real *a = sym + 6 * m, *b = sym + 6 * n;", free=True),
@@ -443,7 +447,8 @@ def _blocks():
 
     return Function(
         "blocks", (*given("Q", "sym", "skew"), *filled("K")),
-        "K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, those of images from their sum and difference",
+        "K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, "
+        "those of images from their sum and difference",
         (loop("o", "IMAGES",
               Let("m", "image[2 * o]"), Let("n", "image[2 * o + 1]"),
               Do("hobe_real s[6], r[3];", free=True),
@@ -462,7 +467,8 @@ def _tangent_part():
         (INVARIANTS, *given("q0", "u"), *filled("f", "K", "scratch")),
         "f as in tensor_force_part and K = df/dq, eq. 28",
         (Do("hobe_real x[3 * V], y[3 * COLUMNS];", free=True),
-         Do("hobe_real *X = scratch, *Z = X + 6 * PAIRS, *Q = Z + 3 * (PAIRS - COLUMNS);", free=True),
+         Do("hobe_real *X = scratch, *Z = X + 6 * PAIRS, *Q = Z + 3 * (PAIRS - COLUMNS);",
+            free=True),
          Do("hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS;", free=True),
          Do("const double *H;", free=True),
          Do("H = tensor_state(inv, q0, u, x, y, X, Q);"),

@@ -181,10 +181,10 @@ class Products(State):
         columns = self.layout.columns
         self.columns = [[self._column(g, c) for c in columns] for g in range(2)]
         self.rows = [[self._row(g, v) for v in range(self.size["V"])] for g in range(2)]
-        numbers = self._sum(self.layout.rows, self.layout.first_row, 0, tensor.HEIGHTS[0], symmetry)
-        numbers += self._sum(self.layout.rows, self.layout.first_row, 1, tensor.HEIGHTS[1], symmetry)
-        numbers += self._sum(self.layout.skew_rows, self.layout.first_skew_row, 2,
-                             tensor.HEIGHTS[2], symmetry)
+        lay = self.layout
+        sums = (*((lay.rows, lay.first_row),) * 2, (lay.skew_rows, lay.first_skew_row))
+        numbers = [x for kind, (rows, first) in enumerate(sums)
+                   for x in self._sum(rows, first, kind, tensor.HEIGHTS[kind], symmetry)]
         assert len(numbers) == self.layout.numbers(symmetry)
         for name, value in (("wx", self.wx), ("N", self.N), ("Nx", self.Nx), ("Qn", self.Qn),
                             ("Qs", self.Qs), ("tensor", numbers)):
