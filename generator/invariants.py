@@ -15,8 +15,9 @@ from .shape import derivative
 
 # Functions of a doubly symmetric section: odd in y, odd in z.  One that is not named here or not so
 # costs speed alone: what a section keeps apart is found from its moments.
-PARITY = {"w": (1, 1), "wy": (1, 0), "wz": (0, 1), "ww": (1, 1),
-          "v1y": (0, 1), "v1z": (1, 0), "v2y": (1, 0), "v2z": (0, 1)}
+PARITY = {"w": (1, 1), "wy": (1, 0), "wz": (0, 1), "ww": (1, 1), "w1": (1, 1), "w2t": (1, 1),
+          "v1y": (0, 1), "v1z": (1, 0), "v2y": (1, 0), "v2z": (0, 1), "v3y": (1, 0), "v3z": (0, 1),
+          "w2": (0, 0), "w3": (0, 0)}
 
 
 @dataclass(frozen=True)

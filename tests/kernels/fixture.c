@@ -107,19 +107,22 @@ static void set(real w[3], real f, real fy, real fz)
     w[2] = fz;
 }
 
-/* Those of a section that is its own mirror image: w and ww are odd in y and in z, the others in
- * one of them. */
+/* Those of a section that is its own mirror image: w and the like are odd in y and in z, the others
+ * in one of them or in none. */
 static void symmetric_functions(const struct hobe_kernel *kernel, double y, double z,
                                 double (*f)[4])
 {
-    static const char *const odd_in_y[] = {"wy", "v1z", "v2y"};
-    static const char *const odd_in_z[] = {"wz", "v1y", "v2z"};
+    static const char *const odd_in_y[] = {"wy", "v1z", "v2y", "v3y"};
+    static const char *const odd_in_z[] = {"wz", "v1y", "v2z", "v3z"};
+    static const char *const even[] = {"w2", "w3"};
     for (int i = 0; i < kernel->functions; i++) {
         real w[3];
         test_function(0, y, z, w);
         set(w, w[0] + 100 * i * y * y * y * z, w[1] + 300 * i * y * y * z,
             w[2] + 100 * i * y * y * y);
-        for (int n = 0; n < 3; n++) {
+        for (int n = 0; n < 4; n++) {
+            if (n < 2 && !strcmp(kernel->function[i], even[n]))
+                set(w, y * y + i * z * z, 2 * y, 2 * i * z);
             if (!strcmp(kernel->function[i], odd_in_y[n]))
                 set(w, y * y * y + i * y * z * z, 3 * y * y + i * z * z, 2 * i * y * z);
             if (!strcmp(kernel->function[i], odd_in_z[n]))
