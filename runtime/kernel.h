@@ -48,10 +48,10 @@
 #define HOBE_KERNEL_ABI 5
 
 enum {
-    HOBE_LANES = 8,         /* elements in a batch */
-    HOBE_MAX_FUNCTIONS = 16,/* section functions (warping functions etc.) an element may use */
-    HOBE_MAX_MODES = 24,    /* section modes of an element */
-    HOBE_MAX_VECTORS = 256  /* nodal vectors of an element */
+    HOBE_LANES = 8,          /* elements in a batch */
+    HOBE_MAX_FUNCTIONS = 16, /* section functions (warping functions etc.) an element may use */
+    HOBE_MAX_MODES = 24,     /* section modes of an element */
+    HOBE_MAX_VECTORS = 256   /* nodal vectors of an element */
 };
 
 typedef double hobe_lanes __attribute__((vector_size(8 * sizeof(double))));

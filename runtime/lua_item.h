@@ -9,7 +9,15 @@
 #define HOBE_LUA_SCENE "hobe.scene"
 #define HOBE_LUA_CURVE "hobe.curve"
 
-enum hobe_lua_kind { ITEM_BEAM, ITEM_CLAMP, ITEM_FORCE, ITEM_MOMENT, ITEM_GRAVITY, ITEM_JOIN, ITEM_JOINT };
+enum hobe_lua_kind {
+    ITEM_BEAM,
+    ITEM_CLAMP,
+    ITEM_FORCE,
+    ITEM_MOMENT,
+    ITEM_GRAVITY,
+    ITEM_JOIN,
+    ITEM_JOINT
+};
 
 struct hobe_lua_gravity {
     const char *where;
