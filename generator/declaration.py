@@ -263,8 +263,8 @@ def _check_modes(path, declaration):
     for mode in modes:
         if mode != "1" and not MONOMIAL.fullmatch(mode) and not FUNCTION.fullmatch(mode):
             _refuse(path, "modes", mode,
-                    'must be "1", a monomial like "yyz" (y before z) or a section function "w..." or '
-                    '"v..."')
+                    'must be "1", a monomial like "yyz" (y before z) or a section function "w..." '
+                    'or "v..."')
         if MONOMIAL.fullmatch(mode) and len(mode) > MAX_DEGREE:
             _refuse(path, "modes", mode, f"monomials go to degree {MAX_DEGREE}")
         if modes.count(mode) > 1:

@@ -372,68 +372,6 @@ def _block():
     off = ((1, 5, "+", 2), (3, 5, "-", 2), (6, 4, "+", 1), (2, 4, "-", 1), (5, 3, "+", 0),
            (7, 3, "-", 0))
     return Function(
-        "block", (*given("s", "r"), "hobe_real Q", *filled("k")),
-        "k[3][3] = sym + skew + Q 1 of a row",
-        (*(Do(f"k[{4 * a} * HOBE_PARTS] = s[{a}] + Q;") for a in range(3)),
-         *(Do(f"k[{e} * HOBE_PARTS] = 0.5 * s[{a}] {sign} r[{c}];") for e, a, sign, c in off)),
-        result="inline void")
-
-
-def _blocks():
-    def parts(a, b, target, size):
-        """Sum and difference of the two rows' parts, all read before any is written."""
-        return (
-            *(Do(f"{target}[{e}] = {a}[{e}] + {b}[{e}];") for e in range(size)),
-            *(Do(f"{target}[{size + e}] = {a}[{e}] - {b}[{e}];") for e in range(size)))
-
-    return Function(
-        "blocks", (*given("Q", "sym", "skew"), *filled("K")),
-        "K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, "
-        "those of images from their sum and difference",
-        (loop("o", "IMAGES",
-              Let("m", "image[2 * o]"), Let("n", "image[2 * o + 1]"),
-              Do("const hobe_real *a = sym + 6 * m, *b = sym + 6 * n;", free=True),
-              Do("const hobe_real *c = skew + 3 * m, *d = skew + 3 * n;", free=True),
-              Do("const hobe_real Qm = Q[m], Qn = Q[n];", free=True),
-              Do("hobe_real s[12], r[6];", free=True),
-              *parts("a", "b", "s", 6), *parts("c", "d", "r", 3),
-              Do("block(s, r, Qm, K + 9 * HOBE_PARTS * m);"),
-              Do("block(s + 6, r + 3, Qn, K + 9 * HOBE_PARTS * n);")),
-         loop("o", "ALONE", Let("m", "alone[o]"),
-              Do("block(sym + 6 * m, skew + 3 * m, Q[m], K + 9 * HOBE_PARTS * m);"))))
-
-
-def _opposed():
-    def copy(row, entry):
-        return (Do(f"const hobe_real *k = K + 9 * HOBE_PARTS * {row};", free=True),
-                loop("a", "3", loop("b", "3", Do(
-                    f"to[(3 * a + b) * HOBE_PARTS] = zero - k[({entry}) * HOBE_PARTS];"))))
-
-    return Function(
-        "opposed_blocks", filled("K"),
-        "K_i0 = -K_in of two positions 0 and n = LAST",
-        (loop("i", "V",
-              Do("hobe_real *to = K + 9 * HOBE_PARTS * hobe_pair(i, 0);", free=True),
-              If("i < LAST", copy("hobe_pair(LAST, i)", "3 * b + a")),
-              If("i >= LAST", copy("hobe_pair(i, LAST)", "3 * a + b")), first="1"),
-         loop("e", "9", Do("K[e * HOBE_PARTS] = K[(9 * hobe_pair(LAST, LAST) + e) * HOBE_PARTS];",
-                           free=True))))
-
-
-def _force_part():
-    return Function(
-        "tensor_force_part",
-        (INVARIANTS, *given("q0", "u"), *filled("f", "scratch")),
-        "f = dU/dq, eq. 27, for one part of a batch",
-        (Do("hobe_real x[3 * V], y[3 * COLUMNS], *gamma = scratch, *Q = gamma + PAIRS;", free=True),
-         Do("tensor_state(inv, q0, u, x, y, gamma, Q);"),
-         Do("tensor_force(Q, x, f);")))
-
-
-def _block():
-    off = ((1, 5, "+", 2), (3, 5, "-", 2), (6, 4, "+", 1), (2, 4, "-", 1), (5, 3, "+", 0),
-           (7, 3, "-", 0))
-    return Function(
         "block", (*given("s", "r", "Q"), *filled("k")),
         "k[3][3] = sym + skew + Q 1 of a row",
         (*(Do(f"k[{4 * a} * HOBE_PARTS] = s[{a}] + Q[0];") for a in range(3)),
