@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-/* Each element against its baselines: algebra in another order, 1e-12 of the largest entry. */
+/* Each element against its baselines: algebra in another order, 1e-12 of the largest entry, and a
+ * digit less for eq. 28, which as printed sums products of positions that cancel. */
 static void test_baselines(void)
 {
     int points = 0, printed = 0;
@@ -17,7 +18,7 @@ static void test_baselines(void)
         if (bench_compare(kernel, &difference, &err))
             check_stop("%s: %s", kernel->name, err.message);
         check_that(difference.points <= 1e-12, "%s: points, %g", kernel->name, difference.points);
-        check_that(difference.printed <= 1e-12, "%s: eq. 28, %g", kernel->name, difference.printed);
+        check_that(difference.printed <= 1e-11, "%s: eq. 28, %g", kernel->name, difference.printed);
         points += difference.points > 0;
         printed += difference.printed > 0;
         check_that((difference.points > 0) == (strcmp(kernel->mechanics, "structural") != 0),
