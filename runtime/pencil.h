@@ -76,9 +76,6 @@ double pencil_mu(const struct pencil *s, double nu);
 /* Says that K is not definite where buckling. */
 enum hobe_status pencil_fail_unstable(struct hobe_error *err);
 
-/* Factors K - sigma M and counts the modes below sigma; -1 where that would take too long. */
-enum hobe_status pencil_count(struct pencil *s, double sigma, long *below, struct hobe_error *err);
-
 /* pencil_solve by shift-invert Lanczos. */
 enum hobe_status pencil_lanczos(struct pencil *s, int modes, int *unstable, struct hobe_error *err);
 

@@ -44,7 +44,9 @@ static enum hobe_status count_densely(struct pencil *s, double sigma, long *belo
     return status;
 }
 
-enum hobe_status pencil_count(struct pencil *s, double sigma, long *below, struct hobe_error *err)
+/* Factors K - sigma M and counts the modes below sigma; -1 where that would take too long. */
+static enum hobe_status count_below(struct pencil *s, double sigma, long *below,
+                                    struct hobe_error *err)
 {
     long column;
     *below = -1;
@@ -118,7 +120,7 @@ static enum hobe_status count_missing(struct pencil *s, int modes, long *missing
     const double last = modes > 0 ? s->mu[modes - 1] : 0;
     if (last <= 0) /* unstable ones are as many as were counted */
         return HOBE_OK;
-    const enum hobe_status status = pencil_count(s, (1 - TWIN) * last, &below, err);
+    const enum hobe_status status = count_below(s, (1 - TWIN) * last, &below, err);
     if (status || below < 0)
         return status;
     *missing = below;
@@ -141,7 +143,7 @@ enum hobe_status pencil_lanczos(struct pencil *s, int modes, int *unstable, stru
                                missing, modes);
             break;
         }
-        status = pencil_count(s, 0, &below, err);
+        status = count_below(s, 0, &below, err);
         if (!status && s->buckling && below > 0)
             status = pencil_fail_unstable(err);
         *unstable = (int)below;
