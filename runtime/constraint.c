@@ -376,9 +376,10 @@ static void add_tie(const struct hobe_model *model, const struct tie *tie, const
     }
 }
 
-void constraint_add(const struct hobe_model *model, const double *u, double *f,
-                    const struct matrix *K)
+void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
+                    double *f, const struct matrix *K)
 {
+    (void)instant;
     for (size_t i = 0; i < model->ties.count; i++)
         add_tie(model, model_tie(model, i), u, f, K ? K->value : NULL);
 }

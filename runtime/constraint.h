@@ -97,7 +97,7 @@ void tie_reaction(const struct tie *tie, const double *u, double force[3], doubl
 
 /* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL: in columns,
  * which is how models with ties are laid out. */
-void constraint_add(const struct hobe_model *model, const double *u, double *f,
-                    const struct matrix *K);
+void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
+                    double *f, const struct matrix *K);
 
 #endif

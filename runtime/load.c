@@ -265,9 +265,10 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
     return build_gravity(model, err);
 }
 
-void load_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
-                   const struct matrix *K)
+void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
+                   double factor, double *r, const struct matrix *K)
 {
+    (void)instant;
     for (long i = 0; i < 3 * model->vectors; i++)
         r[i] -= factor * model->dead[i];
     for (size_t i = 0; i < model->forces.count; i++) {

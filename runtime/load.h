@@ -8,10 +8,10 @@
 /* Resolves the loads' beams and sums what does not depend on the state into model->dead. */
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err);
 
-/* r -= factor * Q(u), and K -= factor * dQ/du when K is not NULL: Q the forces of all loads on
- * the vectors, [vectors][3], N or N m. */
-void load_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
-                   const struct matrix *K);
+/* r -= factor * Q, and K -= factor * (dQ/du + rate dQ/dv) when K is not NULL: Q the forces of all
+ * loads on the vectors in state u at an instant, [vectors][3], N or N m. */
+void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
+                   double factor, double *r, const struct matrix *K);
 
 /* f[vectors][3] += factor * the forces of the loads on element e of a beam that do not act at its
  * ends: its weight, and what acts between them. */

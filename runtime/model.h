@@ -41,6 +41,14 @@ struct matrix {
     double *value;
 };
 
+/* What drives and some loads ask for beside the state u: the time and the velocities. */
+struct instant {
+    double time;     /* s */
+    const double *v; /* [vectors][3] m/s; NULL: at rest */
+    double rate;     /* dv/du, 1/s, of the step in time: tangents are d/du + rate d/dv */
+};
+static const struct instant AT_REST = {0, NULL, 0};
+
 struct workspace {                               /* of one batch, large enough for every beam */
     hobe_lanes *q0, *u, *f, *K, *more, *scratch; /* more: a second K */
 };

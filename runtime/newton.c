@@ -96,8 +96,8 @@ static double work_of(const struct solver *s)
 static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
     assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, K);
-    constraint_add(s->model, s->u, s->r, K);
-    load_subtract(s->model, s->u, factor, s->r, K);
+    constraint_add(s->model, s->u, &AT_REST, s->r, K);
+    load_subtract(s->model, s->u, &AT_REST, factor, s->r, K);
 }
 
 void solver_evaluate(struct solver *s, double factor, enum tangent tangent)

@@ -76,7 +76,7 @@ static double distance(const struct follower *f, const struct plane *p, const do
 static enum hobe_status solve_load(struct follower *f, struct hobe_error *err)
 {
     memset(f->force, 0, (size_t)(3 * f->s.model->vectors) * sizeof *f->force);
-    load_subtract(f->s.model, f->s.u, -1, f->force, NULL);
+    load_subtract(f->s.model, f->s.u, &AT_REST, -1, f->force, NULL);
     return solver_solve(&f->s, f->force, 1, f->q, err);
 }
 

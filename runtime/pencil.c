@@ -25,8 +25,8 @@ void pencil_tangent(struct pencil *s, double factor, double *Ax)
 {
     const struct matrix K = {COLUMNS, Ax};
     assemble(s->model, s->u, s->r, &K);
-    constraint_add(s->model, s->u, s->r, &K);
-    load_subtract(s->model, s->u, factor, s->r, &K);
+    constraint_add(s->model, s->u, &AT_REST, s->r, &K);
+    load_subtract(s->model, s->u, &AT_REST, factor, s->r, &K);
 }
 
 void pencil_scale(const struct pencil *s, double *Ax)

@@ -27,8 +27,8 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
     if (!r)
         return HOBE_NO_MEMORY;
     assemble(model, solution->u, r, NULL);
-    constraint_add(model, solution->u, r, NULL);
-    load_subtract(model, solution->u, solution->info.load, r, NULL);
+    constraint_add(model, solution->u, &AT_REST, r, NULL);
+    load_subtract(model, solution->u, &AT_REST, solution->info.load, r, NULL);
     for (int v = 0; v < beam->kernel->vectors; v++) {
         const struct hobe_vector *is = beam->kernel->vector + v;
         const long number = model_vector(model, beam, e, v);

@@ -263,7 +263,7 @@ static void close_helical(struct helical *h)
 static void forces_of_loads(const hobe_model *model, const double *u, double *r,
                             const struct matrix *K)
 {
-    load_subtract(model, u, 0.7, r, K);
+    load_subtract(model, u, &AT_REST, 0.7, r, K);
 }
 
 /* At rest there is no force at all: strains are differences from the reference. */

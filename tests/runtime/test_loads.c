@@ -16,7 +16,7 @@ static const double E = 70e9, NU = 0.33;
 
 static void all_loads(const hobe_model *model, const double *u, double *r, const struct matrix *K)
 {
-    load_subtract(model, u, 0.7, r, K);
+    load_subtract(model, u, &AT_REST, 0.7, r, K);
 }
 
 static void tangents(void)

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mass.h"
+
+#include "load.h"
+#include "vector3.h"
+
+#include <string.h>
+
+/* m[V][V] of element e, kg. */
+static const double *element_mass(const struct beam *beam, int e)
+{
+    return hobe_element_invariants(beam_law(beam, e))->mass;
+}
+
+void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
+{
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const int V = beam->kernel->vectors;
+        for (int e = 0; e < beam->spec.elements; e++) {
+            const double *m = element_mass(beam, e);
+            for (int v = 0; v < V; v++)
+                for (int w = 0; w < V; w++)
+                    for (int c = 0; c < 3; c++)
+                        f[3 * model_vector(model, beam, e, v) + c] +=
+                            factor * m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
+        }
+    }
+}
+
+void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K)
+{
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const int V = beam->kernel->vectors;
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int v = 0; v < V; v++)
+                for (int w = 0; w < V; w++) {
+                    const double m = factor * element_mass(beam, e)[v * V + w];
+                    const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
+                    tangent_add(model, beam, e, v, w, block, K);
+                }
+    }
+}
+
+double mass_product(const struct hobe_model *model, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const int V = beam->kernel->vectors;
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int v = 0; v < V; v++)
+                for (int w = 0; w < V; w++)
+                    sum += element_mass(beam, e)[v * V + w] *
+                           dot3(a + 3 * model_vector(model, beam, e, v),
+                                b + 3 * model_vector(model, beam, e, w));
+    }
+    return sum;
+}
+
+void mass_translation(const struct hobe_model *model, int axis, double *field)
+{
+    memset(field, 0, (size_t)(3 * model->vectors) * sizeof *field);
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int v = 0; v < beam->kernel->vectors; v++)
+                if (beam->kernel->vector[v].mode == 0 && !beam->kernel->vector[v].slope)
+                    field[3 * model_vector(model, beam, e, v) + axis] = 1;
+    }
+}
+
+enum hobe_status mass_check(const struct hobe_model *model, const char *what,
+                            struct hobe_error *err)
+{
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        if (!(beam->spec.material.rho > 0))
+            return hobe_fail(err, HOBE_BAD_INPUT, beam->spec.where,
+                             "%s needs a density: material.rho of beam \"%s\" is %g, must be > 0 "
+                             "(kg/m^3)",
+                             what, beam->name, beam->spec.material.rho);
+    }
+    return HOBE_OK;
+}

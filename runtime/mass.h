@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The mass matrix of a model: constant, and M = m (x) I_3 with the m of each part. */
+#ifndef HOBE_MASS_H
+#define HOBE_MASS_H
+
+#include "model.h"
+
+/* f[vectors][3] += factor M a, a[vectors][3]. */
+void mass_force(const struct hobe_model *model, double factor, const double *a, double *f);
+
+/* K += factor M */
+void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K);
+
+/* a'M b of two fields [vectors][3], held vectors included. */
+double mass_product(const struct hobe_model *model, const double *a, const double *b);
+
+/* field[vectors][3] = the unit translation of everything along a global axis. */
+void mass_translation(const struct hobe_model *model, int axis, double *field);
+
+/* HOBE_BAD_INPUT where a beam has no density; `what` needs one ("vibration"). */
+enum hobe_status mass_check(const struct hobe_model *model, const char *what,
+                            struct hobe_error *err);
+
+#endif
