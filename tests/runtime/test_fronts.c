@@ -166,7 +166,7 @@ static int run(enum shape shape, double shift)
     long negative;
     make_matrix(&K, shape, shift);
     compress(&K, &C);
-    hobe_fronts *f = fronts_analyse(K.blocks, C.start, C.row, NULL);
+    hobe_fronts *f = fronts_analyse(K.blocks, 0, C.start, C.row, NULL);
     double *value = f ? hobe_alloc(fronts_size(f), sizeof *value, NULL) : NULL;
     if (!value)
         check_stop("no memory");
@@ -194,7 +194,7 @@ static void refuses(void)
 {
     const long start[] = {0, 2, 4}, row[] = {0, 1, 0, 1};
     const double ones[] = {1, 1, 1, 1, 1, 1};
-    hobe_fronts *f = fronts_analyse(2, start, row, NULL);
+    hobe_fronts *f = fronts_analyse(2, 0, start, row, NULL);
     double *value = f ? hobe_alloc(fronts_size(f), sizeof *value, NULL) : NULL;
     if (!value)
         check_stop("no memory");
