@@ -298,6 +298,30 @@ const char *hobe_model_beam_name(const hobe_model *model, int i)
     return i >= 0 && (size_t)i < model->beams.count ? model_beam(model, (size_t)i)->name : NULL;
 }
 
+enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_error *err)
+{
+    if (err && model->loose.status)
+        *err = model->loose;
+    return model->loose.status;
+}
+
+void model_reference(const struct hobe_model *model, double *q)
+{
+    memset(q, 0, (size_t)(3 * model->vectors) * sizeof *q);
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int v = 0; v < beam->kernel->vectors; v++) {
+                const struct hobe_vector *is = beam->kernel->vector + v;
+                double *to = q + 3 * model_vector(model, beam, e, v), origin[3];
+                beam_origin(beam, e, origin);
+                for (int a = 0; a < 3; a++)
+                    to[a] =
+                        beam_q0(beam, e)[3 * v + a] + (is->mode == 0 && !is->slope ? origin[a] : 0);
+            }
+    }
+}
+
 const char *hobe_model_note(const hobe_model *model, int i)
 {
     return i >= 0 && (size_t)i < model->notes ? model->note[i] : NULL;

@@ -77,7 +77,9 @@ struct hobe_model {
     const char *gravity_where;
     int built;
     enum hobe_status failed; /* a failed build is not tried again */
+    struct hobe_error loose; /* what is free to move, where something is: its status is not 0 */
     long beam_vectors;       /* those of the beams */
+    long moving;             /* all that move: those before the multipliers */
     long vectors;            /* and the blocks of multipliers behind them */
     long *alias, *unknown;   /* [vectors] */
     unsigned char *held;     /* [vectors] */
@@ -104,6 +106,13 @@ static inline long model_vector(const struct hobe_model *model, const struct bea
 {
     return model->alias[beam->first + (long)e * beam->step + v];
 }
+
+/* HOBE_UNCONSTRAINED with the sentence that names what is free to move, of a built model. */
+enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_error *err);
+
+/* q[vectors][3] = the nodal vectors in the reference, global axes: positions from the origin; 0 for
+ * multipliers. */
+void model_reference(const struct hobe_model *model, double *q);
 
 /* A new item of the given size at the end of a list; NULL with err when there is no room. */
 void *list_append(struct list *list, size_t size, struct hobe_error *err);

@@ -6,6 +6,7 @@
 #include "assemble.h"
 #include "constraint.h"
 #include "load.h"
+#include "mass.h"
 #include "pattern.h"
 #include "solution.h"
 
@@ -95,9 +96,17 @@ static double work_of(const struct solver *s)
 
 static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
-    assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, K);
-    constraint_add(s->model, s->u, &AT_REST, s->r, K);
-    load_subtract(s->model, s->u, &AT_REST, factor, s->r, K);
+    const struct motion *m = &s->motion;
+    const struct matrix *stiffness = m->mass_alone ? NULL : K;
+    assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, stiffness);
+    if (K && m->mass_alone)
+        pattern_clear(s->model, K);
+    constraint_add(s->model, s->u, &m->instant, s->r, K);
+    load_subtract(s->model, s->u, &m->instant, factor, s->r, stiffness);
+    for (long i = 0; m->force && i < 3 * s->model->moving; i++)
+        s->r[i] += m->force[i];
+    if (K && (m->inertia > 0 || m->mass_alone))
+        mass_matrix(s->model, m->mass_alone ? 1 : m->inertia, K);
 }
 
 void solver_evaluate(struct solver *s, double factor, enum tangent tangent)
@@ -428,6 +437,8 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     struct solver s;
     *solution = NULL;
     enum hobe_status status = hobe_model_build(model, err);
+    if (!status)
+        status = model_check_held(model, err);
     if (status)
         return status;
     const double started = hobe_seconds();

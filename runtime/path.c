@@ -480,6 +480,8 @@ enum hobe_status hobe_path_follow(hobe_model *model, const struct hobe_path_opti
     struct follower f = {.options = *options};
     *path = NULL;
     enum hobe_status status = hobe_model_build(model, err);
+    if (!status)
+        status = model_check_held(model, err);
     if (status)
         return status;
     f.started = hobe_seconds();
