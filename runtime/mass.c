@@ -12,23 +12,37 @@ static const double *element_mass(const struct beam *beam, int e)
     return hobe_element_invariants(beam_law(beam, e))->mass;
 }
 
-void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
+void mass_element_force(const struct hobe_model *model, const struct beam *beam, int e,
+                        const double A[3][3], const double *a, double *f)
 {
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++) {
-            const double *m = element_mass(beam, e);
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++)
-                    for (int c = 0; c < 3; c++)
-                        f[3 * model_vector(model, beam, e, v) + c] +=
-                            factor * m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
-        }
+    const int V = beam->kernel->vectors;
+    const double *m = element_mass(beam, e);
+    for (int v = 0; v < V; v++) {
+        double sum[3] = {0}, *to = f + 3 * model_vector(model, beam, e, v);
+        for (int w = 0; w < V; w++)
+            for (int c = 0; c < 3; c++)
+                sum[c] += m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
+        for (int c = 0; c < 3; c++)
+            to[c] += dot3(A[c], sum);
     }
 }
 
-void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K)
+void mass_force_through(const struct hobe_model *model, const double A[3][3], const double *a,
+                        double *f)
+{
+    for (size_t i = 0; i < model->beams.count; i++)
+        for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
+            mass_element_force(model, model_beam(model, i), e, A, a, f);
+}
+
+void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
+{
+    const double A[3][3] = {{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}};
+    mass_force_through(model, A, a, f);
+}
+
+void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
+                         const struct matrix *K)
 {
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
@@ -36,11 +50,18 @@ void mass_matrix(const struct hobe_model *model, double factor, const struct mat
         for (int e = 0; e < beam->spec.elements; e++)
             for (int v = 0; v < V; v++)
                 for (int w = 0; w < V; w++) {
-                    const double m = factor * element_mass(beam, e)[v * V + w];
-                    const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
-                    tangent_add(model, beam, e, v, w, block, K);
+                    double block[3][3];
+                    for (int c = 0; c < 9; c++)
+                        block[c / 3][c % 3] = element_mass(beam, e)[v * V + w] * A[c / 3][c % 3];
+                    tangent_add(model, beam, e, v, w, (const double(*)[3])block, K);
                 }
     }
+}
+
+void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K)
+{
+    const double A[3][3] = {{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}};
+    mass_matrix_through(model, A, K);
 }
 
 double mass_product(const struct hobe_model *model, const double *a, const double *b)
@@ -57,6 +78,34 @@ double mass_product(const struct hobe_model *model, const double *a, const doubl
                                 b + 3 * model_vector(model, beam, e, w));
     }
     return sum;
+}
+
+/* Where the first node of element e is in the reference, m. */
+static void element_origin(const struct beam *beam, int e, double origin[3])
+{
+    for (int a = 0; a < 3; a++)
+        origin[a] = beam->origin ? beam->origin[e][a]
+                                 : beam->end[0][a] + (beam->end[1][a] - beam->end[0][a]) * e /
+                                                         beam->spec.elements;
+}
+
+void mass_reference(const struct hobe_model *model, double *q)
+{
+    memset(q, 0, (size_t)(3 * model->vectors) * sizeof *q);
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        for (int e = 0; e < beam->spec.elements; e++) {
+            double origin[3];
+            element_origin(beam, e, origin);
+            for (int v = 0; v < beam->kernel->vectors; v++) {
+                const struct hobe_vector *is = beam->kernel->vector + v;
+                double *to = q + 3 * model_vector(model, beam, e, v);
+                for (int a = 0; a < 3; a++)
+                    to[a] =
+                        beam_q0(beam, e)[3 * v + a] + (is->mode == 0 && !is->slope ? origin[a] : 0);
+            }
+        }
+    }
 }
 
 void mass_translation(const struct hobe_model *model, int axis, double *field)

@@ -11,8 +11,19 @@ void mass_force(const struct hobe_model *model, double factor, const double *a, 
 /* K += factor M */
 void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K);
 
+/* The same with m (x) A in the place of M, and f of one element of a beam alone. */
+void mass_force_through(const struct hobe_model *model, const double A[3][3], const double *a,
+                        double *f);
+void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
+                         const struct matrix *K);
+void mass_element_force(const struct hobe_model *model, const struct beam *beam, int e,
+                        const double A[3][3], const double *a, double *f);
+
 /* a'M b of two fields [vectors][3], held vectors included. */
 double mass_product(const struct hobe_model *model, const double *a, const double *b);
+
+/* q[vectors][3] = the nodal vectors in the reference, positions from the global origin. */
+void mass_reference(const struct hobe_model *model, double *q);
 
 /* field[vectors][3] = the unit translation of everything along a global axis. */
 void mass_translation(const struct hobe_model *model, int axis, double *field);
