@@ -460,6 +460,20 @@ enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struc
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
                                     struct hobe_error *);
 
+/* The scene as seen in a frame that turns steadily about a line: all supports turn with it, and
+ * loads keep their direction in it.  In equilibrium there F(q) = Q + w^2 M P q, the centrifugal
+ * force on the distance from the axis, P = I - e e': the load factor of statics scales w^2.  About
+ * it vibrations feel Coriolis' force, too (hobe_modal). */
+struct hobe_spin {
+    const char *where;
+    double axis[3];  /* e, of any length, global axes */
+    double about[3]; /* a point of the line, m */
+    double speed;    /* w, rad/s, positive by the right-hand rule about the axis */
+};
+/* At most one; HOBE_BAD_INPUT for a second one and an axis of no length.  Beams need densities, as
+ * hobe_model_build says. */
+enum hobe_status hobe_model_spin(hobe_model *, const struct hobe_spin *, struct hobe_error *);
+
 /* Checks the model and does everything that is done once: invariants, numbering, sparsity and
  * scatter maps, symbolic factorisation.  hobe_static calls it when it has not been called. */
 enum hobe_status hobe_model_build(hobe_model *model, struct hobe_error *err);

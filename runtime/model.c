@@ -86,6 +86,7 @@ void hobe_model_free(hobe_model *model)
     hobe_free(model->unknown);
     hobe_free(model->held);
     hobe_free(model->dead);
+    hobe_free(model->arm);
     assemble_free(&model->schedule);
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
@@ -264,6 +265,29 @@ enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const 
     for (int a = 0; a < 3; a++)
         model->gravity[a] += g[a];
     model->gravity_where = where;
+    return HOBE_OK;
+}
+
+enum hobe_status hobe_model_spin(hobe_model *model, const struct hobe_spin *spec,
+                                 struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
+    const double length = length3(spec->axis);
+    if (!(length > 0 && isfinite(length)))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "the axis of a spin must be a direction {x, y, z}, got {%g, %g, %g}",
+                         spec->axis[0], spec->axis[1], spec->axis[2]);
+    if (not_finite(spec->about, 3) || !isfinite(spec->speed))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a spin's speed (rad/s) and the point it is about (m) must be finite");
+    if (model->spun)
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a scene turns as a whole, with one spin; there is another one");
+    model->spun = 1;
+    model->spin = *spec;
+    for (int a = 0; a < 3; a++)
+        model->spin.axis[a] = spec->axis[a] / length;
     return HOBE_OK;
 }
 
