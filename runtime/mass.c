@@ -12,19 +12,24 @@ static const double *element_mass(const struct beam *beam, int e)
     return hobe_element_invariants(beam_law(beam, e))->mass;
 }
 
+void mass_element(const struct hobe_model *model, const struct beam *beam, int e, double factor,
+                  const double *a, double *f)
+{
+    const int V = beam->kernel->vectors;
+    const double *m = element_mass(beam, e);
+    for (int v = 0; v < V; v++)
+        for (int w = 0; w < V; w++)
+            for (int c = 0; c < 3; c++)
+                f[3 * model_vector(model, beam, e, v) + c] +=
+                    factor * m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
+}
+
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
 {
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++) {
-            const double *m = element_mass(beam, e);
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++)
-                    for (int c = 0; c < 3; c++)
-                        f[3 * model_vector(model, beam, e, v) + c] +=
-                            factor * m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
-        }
+        for (int e = 0; e < beam->spec.elements; e++)
+            mass_element(model, beam, e, factor, a, f);
     }
 }
 

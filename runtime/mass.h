@@ -8,6 +8,10 @@
 /* f[vectors][3] += factor M a, a[vectors][3]. */
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f);
 
+/* The same of element e of a beam alone. */
+void mass_element(const struct hobe_model *model, const struct beam *beam, int e, double factor,
+                  const double *a, double *f);
+
 /* K += factor M */
 void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K);
 
