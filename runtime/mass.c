@@ -40,21 +40,18 @@ static void element_matrix(const struct hobe_model *model, const struct beam *be
         }
 }
 
-/* A[3][3] = factor I_3 */
-#define ISOTROPIC(factor) ((const double[3][3]){{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}})
-
 void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
                    const double *a, double *f)
 {
     for (int e = 0; e < beam->spec.elements; e++)
-        mass_element_force(model, beam, e, ISOTROPIC(factor), a, f);
+        mass_element_force(model, beam, e, MASS_ISOTROPIC(factor), a, f);
 }
 
 void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, double factor,
                     const struct matrix *K)
 {
     for (int e = 0; e < beam->spec.elements; e++)
-        element_matrix(model, beam, e, ISOTROPIC(factor), K);
+        element_matrix(model, beam, e, MASS_ISOTROPIC(factor), K);
 }
 
 void mass_force_through(const struct hobe_model *model, const double A[3][3], const double *a,
@@ -75,12 +72,12 @@ void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
 
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
 {
-    mass_force_through(model, ISOTROPIC(factor), a, f);
+    mass_force_through(model, MASS_ISOTROPIC(factor), a, f);
 }
 
 void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K)
 {
-    mass_matrix_through(model, ISOTROPIC(factor), K);
+    mass_matrix_through(model, MASS_ISOTROPIC(factor), K);
 }
 
 double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,

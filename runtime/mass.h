@@ -5,6 +5,10 @@
 
 #include "model.h"
 
+/* factor I_3 for A below. */
+#define MASS_ISOTROPIC(factor)                                                                     \
+    ((const double[3][3]){{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}})
+
 /* f[vectors][3] += factor M a, a[vectors][3]. */
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f);
 

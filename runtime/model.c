@@ -72,6 +72,7 @@ void hobe_model_free(hobe_model *model)
     free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 2);
     free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
     free_named(&model->moments, sizeof(struct hobe_moment), offsetof(struct hobe_moment, beam), 1);
+    free_named(&model->motions, sizeof(struct hobe_motion), offsetof(struct hobe_motion, beam), 1);
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
     free_named(&model->joints, sizeof(struct hobe_joint), offsetof(struct hobe_joint, beam), 3);
     for (size_t i = 0; i < model->ties.count; i++)
@@ -253,6 +254,19 @@ enum hobe_status hobe_model_join(hobe_model *model, const struct hobe_join *spec
     if (check_open(model, spec->where, err))
         return HOBE_BAD_INPUT;
     return add_item(&model->joins, spec, sizeof *spec, offsetof(struct hobe_join, beam), 2, err);
+}
+
+enum hobe_status hobe_model_motion(hobe_model *model, const struct hobe_motion *spec,
+                                   struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
+    if (not_finite(spec->velocity, 3) || not_finite(spec->angular_velocity, 3) ||
+        not_finite(spec->about, 3))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "velocity (m/s), angular_velocity (rad/s) and about (m) must be finite");
+    return add_item(&model->motions, spec, sizeof *spec, offsetof(struct hobe_motion, beam), 1,
+                    err);
 }
 
 enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const double g[3],

@@ -7,9 +7,22 @@
 
 struct hobe_solution {
     const hobe_model *model;
-    double *u; /* [vectors][3] displacements of the nodal vectors */
+    double *u;     /* [vectors][3] displacements of the nodal vectors, and multipliers */
+    double *v, *w; /* [vectors][3] velocities and accelerations; NULL of equilibria */
     struct hobe_solution_info info;
 };
+
+/* The instant of a state, for forces that ask. */
+static inline struct instant solution_instant(const struct hobe_solution *s)
+{
+    return (struct instant){s->info.time, s->v, 0};
+}
+
+/* A state with copies of the fields [vectors][3], those of joined vectors spread; v and w NULL: an
+ * equilibrium.  NULL with err set. */
+hobe_solution *solution_new(const hobe_model *model, const double *u, const double *v,
+                            const double *w, const struct hobe_solution_info *info,
+                            struct hobe_error *err);
 
 /* *smallest = min det F over the stations of all elements and the corners and centre of their
  * sections: the deformation has turned inside out where it is not positive. */
