@@ -11,6 +11,13 @@ struct hobe_solution {
     struct hobe_solution_info info;
 };
 
+/* When a state is, for its constraints and loads; NULL: the reference, where nothing is driven yet.
+ */
+static inline struct instant solution_instant(const struct hobe_solution *state)
+{
+    return state ? (struct instant){.time = state->info.time} : (struct instant){.held_back = 1};
+}
+
 /* *smallest = min det F over the stations of all elements and the corners and centre of their
  * sections: the deformation has turned inside out where it is not positive. */
 enum hobe_status solution_smallest_volume(const hobe_model *model, const double *u,
