@@ -62,7 +62,7 @@ struct tie {
     int terms, vectors, blocks;
     struct tie_term *term; /* [terms] */
     long *vector;          /* [vectors] numbers in the model, without repeats, multipliers last */
-    long *block;           /* [vectors][vectors] places in the pattern, -1: held */
+    long *place[LAYOUTS];  /* [vectors][vectors] of their blocks in a tangent, -1: none */
 };
 
 static inline struct tie *model_tie(const struct hobe_model *model, size_t i)
@@ -110,8 +110,7 @@ enum hobe_status tie_reaction(const struct tie *tie, const double *u, const stru
 enum hobe_status tie_power(const struct tie *tie, const double *u, const struct instant *instant,
                            double *power, struct hobe_error *err);
 
-/* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL: in columns,
- * which is how models with ties are laid out. */
+/* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL. */
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);
 

@@ -4,6 +4,7 @@
 
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
 #include "joint.h"
 #include "load.h"
 #include "numbering.h"
@@ -159,6 +160,8 @@ enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec
     if (not_finite(spec->from, 3) || not_finite(spec->to, 3) || not_finite(spec->up, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
                          "from, to and up of beam \"%s\" must be finite", spec->name);
+    if (damping_check(spec, err))
+        return HOBE_BAD_INPUT;
     struct beam *beam = list_append(&model->beams, sizeof *beam, err);
     if (!beam)
         return HOBE_NO_MEMORY;
@@ -304,6 +307,30 @@ struct place model_place(const struct beam *beam, double at)
 const char *hobe_model_beam_name(const hobe_model *model, int i)
 {
     return i >= 0 && (size_t)i < model->beams.count ? model_beam(model, (size_t)i)->name : NULL;
+}
+
+enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_error *err)
+{
+    if (err && model->loose.status)
+        *err = model->loose;
+    return model->loose.status;
+}
+
+void model_reference(const struct hobe_model *model, double *q)
+{
+    memset(q, 0, (size_t)(3 * model->vectors) * sizeof *q);
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int v = 0; v < beam->kernel->vectors; v++) {
+                const struct hobe_vector *is = beam->kernel->vector + v;
+                double *to = q + 3 * model_vector(model, beam, e, v), origin[3];
+                beam_origin(beam, e, origin);
+                for (int a = 0; a < 3; a++)
+                    to[a] =
+                        beam_q0(beam, e)[3 * v + a] + (is->mode == 0 && !is->slope ? origin[a] : 0);
+            }
+    }
 }
 
 const char *hobe_model_note(const hobe_model *model, int i)

@@ -79,7 +79,9 @@ struct hobe_model {
     const char *gravity_where;
     int built;
     enum hobe_status failed; /* a failed build is not tried again */
+    struct hobe_error loose; /* what is free to move, where something is: its status is not 0 */
     long beam_vectors;       /* those of the beams */
+    long moving;             /* all that move: those before the multipliers */
     long vectors;            /* and the blocks of multipliers behind them */
     long *alias, *unknown;   /* [vectors] */
     unsigned char *held;     /* [vectors] */
@@ -87,7 +89,7 @@ struct hobe_model {
     double *dead;            /* [vectors][3] forces that do not depend on the state */
     struct pattern pattern;
     int *stride[LAYOUTS];  /* [unknowns] */
-    hobe_fronts *fronts;   /* NULL where tangents are not symmetric, or ties border them */
+    hobe_fronts *fronts;   /* NULL where tangents are not symmetric */
     hobe_linsolve *solver; /* NULL until pattern_columns */
     struct schedule schedule;
     struct hobe_error *failure; /* the first in a drive or a force of the caller (model_fail) */
@@ -107,6 +109,13 @@ static inline long model_vector(const struct hobe_model *model, const struct bea
 {
     return model->alias[beam->first + (long)e * beam->step + v];
 }
+
+/* HOBE_UNCONSTRAINED with the sentence that names what is free to move, of a built model. */
+enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_error *err);
+
+/* q[vectors][3] = the nodal vectors in the reference, global axes: positions from the origin; 0 for
+ * multipliers. */
+void model_reference(const struct hobe_model *model, double *q);
 
 /* A new item of the given size at the end of a list; NULL with err when there is no room. */
 void *list_append(struct list *list, size_t size, struct hobe_error *err);
