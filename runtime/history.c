@@ -30,7 +30,7 @@ void account_close(struct account *account)
 static void sum_loads(const hobe_model *model, const double *u, const double *v, double time,
                       double *Q)
 {
-    const struct instant instant = {time, v, 0};
+    const struct instant instant = {time, v, 0, 0};
     memset(Q, 0, (size_t)(3 * model->vectors) * sizeof *Q);
     load_subtract(model, u, &instant, -1, Q, NULL);
 }
@@ -85,7 +85,7 @@ static struct hobe_energies measure(struct genalpha *g, const struct account *ac
                               .kinetic = mass_product(model, g->now.v, g->now.v) / 2,
                               .strain = assemble_energy(model, g->now.u),
                               .loads = account->loads};
-    const struct instant instant = {g->now.time, g->now.v, 0};
+    const struct instant instant = {g->now.time, g->now.v, 0, 0};
     sum_momenta(g, &e);
     settle_rate(g, &g->now, g->s.u, g->force, g->w);
     e.violation_rate = genalpha_violation(g, g->w);

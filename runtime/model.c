@@ -50,7 +50,14 @@ static char *copy_text(const char *text, struct hobe_error *err)
 
 hobe_model *hobe_model_new(struct hobe_error *err)
 {
-    return hobe_alloc(1, sizeof(hobe_model), err);
+    hobe_model *model = hobe_alloc(1, sizeof *model, err);
+    struct hobe_error *failure = model ? hobe_alloc(1, sizeof *failure, err) : NULL;
+    if (!failure) {
+        hobe_free(model);
+        return NULL;
+    }
+    model->failure = failure;
+    return model;
 }
 
 static void free_named(struct list *list, size_t size, size_t name_offset, int names)
@@ -92,6 +99,7 @@ void hobe_model_free(hobe_model *model)
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
     hobe_free(model->note);
+    hobe_free(model->failure);
     hobe_free(model);
 }
 
@@ -388,6 +396,24 @@ enum hobe_status model_add_note(hobe_model *model, const char *text, struct hobe
     model->note = grown;
     grown[model->notes] = copy_text(text, err);
     return grown[model->notes] && ++model->notes ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+void model_fail(const struct hobe_model *model, const char *where, const struct hobe_error *err)
+{
+    if (model->failure->status)
+        return;
+    *model->failure = *err;
+    if (!err->where)
+        model->failure->where = where;
+}
+
+enum hobe_status model_failure(const struct hobe_model *model, struct hobe_error *err)
+{
+    const enum hobe_status status = model->failure->status;
+    if (status && err)
+        *err = *model->failure;
+    model->failure->status = HOBE_OK;
+    return status;
 }
 
 /* ---- build ---------------------------------------------------------------------------------- */
