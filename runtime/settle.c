@@ -28,7 +28,7 @@ static void along(const struct genalpha *g, const double *u, const double *v, do
     if (!(fastest > 0))
         return;
     const double s = fmin(g->size, 1) / fastest;
-    const struct instant instant = {time, v, 0};
+    const struct instant instant = {time, v, 0, 0};
     for (int k = 0; k < 5; k++) {
         memset(f, 0, (size_t)n * sizeof *f);
         for (long i = 0; i < n; i++)
