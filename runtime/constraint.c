@@ -131,16 +131,15 @@ enum hobe_status tie_resolve(struct hobe_model *model, struct tie *tie, struct h
     tie->multiplier = model->vectors;
     for (int b = 0; b < tie->blocks; b++)
         tie->vector[tie->vectors++] = model->vectors++;
-    const size_t n = (size_t)tie->vectors;
-    tie->block = hobe_alloc(n * n, sizeof *tie->block, err);
-    return tie->block ? HOBE_OK : HOBE_NO_MEMORY;
+    return HOBE_OK;
 }
 
 void tie_free(struct tie *tie)
 {
     hobe_free(tie->term);
     hobe_free(tie->vector);
-    hobe_free(tie->block);
+    for (int layout = 0; layout < LAYOUTS; layout++)
+        hobe_free(tie->place[layout]);
 }
 
 /* ---- the constraints ------------------------------------------------------------------------- */
@@ -305,19 +304,19 @@ static void hessian(const struct constraint *c, const struct state *s,
 
 /* ---- assembly -------------------------------------------------------------------------------- */
 
-/* The place in the tangent of component a of entry i beside component b of entry j; NULL: held. */
-static double *find(const struct hobe_model *model, const struct tie *tie, int i, int a, int j,
-                    int b, double *Ax)
+/* Adds to scalar (a, b) of the block of entries i and j, where the layout of K has it. */
+static void add_at(const struct hobe_model *model, const struct tie *tie, int i, int a, int j,
+                   int b, double amount, const struct matrix *K)
 {
-    const long block = tie->block[i * tie->vectors + j];
-    return block < 0
-               ? NULL
-               : Ax + pattern_scalar(&model->pattern, model->unknown[tie->vector[j]], block, a, b);
+    const long place = tie->place[K->layout][i * tie->vectors + j];
+    if (place >= 0)
+        K->value[place + b * model->stride[K->layout][model->unknown[tie->vector[j]]] + a] +=
+            amount;
 }
 
 /* The tangent gets H between two terms. */
 static void add_curvature(const struct hobe_model *model, const struct tie *tie,
-                          const struct state *s, double *Ax)
+                          const struct state *s, const struct matrix *K)
 {
     double H[TIE_VECTORS][TIE_VECTORS][3][3];
     const struct constraint sum = combine(tie, s->lambda);
@@ -325,36 +324,31 @@ static void add_curvature(const struct hobe_model *model, const struct tie *tie,
     for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
         for (const struct tie_term *v = tie->term; v < tie->term + tie->terms; v++)
             for (int a = 0; a < 3; a++)
-                for (int b = 0; b < 3; b++) {
-                    double *at = find(model, tie, t->entry, a, v->entry, b, Ax);
-                    if (at)
-                        *at += t->weight * v->weight * H[t->what][v->what][a][b];
-                }
+                for (int b = 0; b < 3; b++)
+                    add_at(model, tie, t->entry, a, v->entry, b,
+                           t->weight * v->weight * H[t->what][v->what][a][b], K);
 }
 
 /* And the constraints' derivatives J beside their multipliers, with 1 on spare ones. */
 static void add_border(const struct hobe_model *model, const struct tie *tie,
-                       double J[TIE_CONSTRAINTS][TIE_VECTORS][3], double *Ax)
+                       double J[TIE_CONSTRAINTS][TIE_VECTORS][3], const struct matrix *K)
 {
     for (int k = 0; k < 3 * tie->blocks; k++) {
         const int row = tie_entry(tie, k), m = k % 3;
-        double *spare = find(model, tie, row, m, row, m, Ax);
-        if (spare && k >= tie->constraints)
-            *spare += 1;
+        if (k >= tie->constraints)
+            add_at(model, tie, row, m, row, m, 1, K);
         for (int t = 0; t < tie->terms && k < tie->constraints; t++)
             for (int a = 0; a < 3; a++) {
                 const struct tie_term *term = tie->term + t;
-                double *at = find(model, tie, term->entry, a, row, m, Ax);
-                if (!at)
-                    continue;
-                *at += term->weight * J[k][term->what][a];
-                *find(model, tie, row, m, term->entry, a, Ax) += term->weight * J[k][term->what][a];
+                const double amount = term->weight * J[k][term->what][a];
+                add_at(model, tie, term->entry, a, row, m, amount, K);
+                add_at(model, tie, row, m, term->entry, a, amount, K);
             }
     }
 }
 
 static void add_tie(const struct hobe_model *model, const struct tie *tie, const double *u,
-                    double *f, double *Ax)
+                    double *f, const struct matrix *K)
 {
     struct state s;
     double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
@@ -370,9 +364,9 @@ static void add_tie(const struct hobe_model *model, const struct tie *tie, const
         for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
             add(t->weight * s.lambda[k], J[k][t->what], f + 3 * tie->vector[t->entry]);
     }
-    if (Ax) {
-        add_curvature(model, tie, &s, Ax);
-        add_border(model, tie, J, Ax);
+    if (K) {
+        add_curvature(model, tie, &s, K);
+        add_border(model, tie, J, K);
     }
 }
 
@@ -381,5 +375,5 @@ void constraint_add(const struct hobe_model *model, const double *u, const struc
 {
     (void)instant;
     for (size_t i = 0; i < model->ties.count; i++)
-        add_tie(model, model_tie(model, i), u, f, K ? K->value : NULL);
+        add_tie(model, model_tie(model, i), u, f, K);
 }

@@ -53,7 +53,7 @@ struct tie {
     int terms, vectors, blocks;
     struct tie_term *term; /* [terms] */
     long *vector;          /* [vectors] numbers in the model, without repeats, multipliers last */
-    long *block;           /* [vectors][vectors] places in the pattern, -1: held */
+    long *place[LAYOUTS];  /* [vectors][vectors] of their blocks in a tangent, -1: none */
 };
 
 static inline struct tie *model_tie(const struct hobe_model *model, size_t i)
@@ -95,8 +95,7 @@ void tie_jacobian(const struct tie *tie, const double *u,
 /* What a tie does to its place b: force, N, and moment about it, N m, global axes. */
 void tie_reaction(const struct tie *tie, const double *u, double force[3], double moment[3]);
 
-/* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL: in columns,
- * which is how models with ties are laid out. */
+/* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL. */
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);
 

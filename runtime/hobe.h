@@ -344,6 +344,15 @@ enum hobe_status hobe_curve_at(const hobe_curve *curve, const double up[3], doub
 
 typedef struct hobe_model hobe_model;
 
+/* What a beam loses in motion: forces mass * M v, which hold back rigid motions, too; and the
+ * viscous stress stiffness * C : dE/dt beside the elastic one (Kelvin, Voigt), which no rigid
+ * motion feels. About an unloaded reference both are Rayleigh's damping: of a mode of angular
+ * frequency omega it is the fraction (mass / omega + stiffness omega) / 2 of the critical one. */
+struct hobe_damping {
+    double mass;      /* 1/s, >= 0 */
+    double stiffness; /* s, >= 0; only of elements whose energy is quartic */
+};
+
 struct hobe_beam {
     const char *where;
     const char *name; /* unique in the model */
@@ -351,6 +360,7 @@ struct hobe_beam {
     int elements;                  /* >= 1 */
     const hobe_section *section;   /* must outlive the model */
     struct hobe_material material; /* where the section has none of its own */
+    struct hobe_damping damping;   /* of hobe_dynamic; nothing at rest knows it */
     double from[3], to[3];         /* ends of a straight axis, m */
     const hobe_curve *curve; /* the axis where it is curved or pretwisted, in place of from and to;
                                 must outlive the model; NULL: straight */
@@ -656,9 +666,10 @@ struct hobe_energies {
     double time;        /* s */
     double kinetic;     /* v'M v/2, J */
     double strain;      /* J */
-    double loads;       /* work of all loads since the start, J */
-    double balance;     /* kinetic + strain, less their values at the start, less work: what the
-                           integration has lost (< 0), J */
+    double loads;          /* work of all loads since the start, J */
+    double damped;         /* what damping has taken since the start, J */
+    double balance;        /* kinetic + strain, less their values at the start, less the work of
+                              loads, and damped: what the integration has lost (< 0), J */
     double momentum[3]; /* kg m/s */
     double angular_momentum[3]; /* about the origin, kg m^2/s */
     double violation;           /* the largest |Phi|, relative to the scene's size, or rad */

@@ -90,6 +90,17 @@ struct beam {
     int mechanics, integration;
 };
 
+static const struct hobe_lua_key damping_keys[] = {
+    KEY(struct hobe_damping, mass, KEY_NUMBER, KEY_FROM(0), .unit = "1/s",
+        .doc = "forces of so many times the momentum; they hold back rigid motions, too"),
+    KEY(struct hobe_damping, stiffness, KEY_NUMBER, KEY_FROM(0), .unit = "s",
+        .doc = "viscous stress C : dE/dt of so many times the rate of strain, beside the elastic "
+               "one (Kelvin, Voigt): no rigid motion feels it; not for 3333s.  A mode of angular "
+               "frequency omega has (mass/omega + stiffness omega)/2 of the critical damping"),
+    {0}};
+
+static const struct hobe_lua_schema damping_schema = {"damping", damping_keys};
+
 #define BEAM(name, kind, ...) KEY_AS(#name, struct beam, beam.name, kind, __VA_ARGS__)
 
 static const struct hobe_lua_key beam_keys[] = {
@@ -123,6 +134,8 @@ static const struct hobe_lua_key beam_keys[] = {
     KEY(struct beam, integration, KEY_CHOICE, .choices = "exact|paper", .word = "exact",
         .doc = "exact, or 3 x 3 x 3 Gauss points and one term of the warping "
                "series as in the paper; not for 3333s"),
+    BEAM(damping, KEY_GROUP, .group = &damping_schema,
+         .doc = "what it loses in motion, a table {mass =, stiffness =}"),
     {0}};
 
 static const struct hobe_lua_schema beam_schema = {"beam", beam_keys};

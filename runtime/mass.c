@@ -24,43 +24,57 @@ void mass_element(const struct hobe_model *model, const struct beam *beam, int e
                     factor * m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
 }
 
+void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                   const double *a, double *f)
+{
+    for (int e = 0; e < beam->spec.elements; e++)
+        mass_element(model, beam, e, factor, a, f);
+}
+
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
 {
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        for (int e = 0; e < beam->spec.elements; e++)
-            mass_element(model, beam, e, factor, a, f);
-    }
+    for (size_t i = 0; i < model->beams.count; i++)
+        mass_force_of(model, model_beam(model, i), factor, a, f);
+}
+
+void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                    const struct matrix *K)
+{
+    const int V = beam->kernel->vectors;
+    for (int e = 0; e < beam->spec.elements; e++)
+        for (int v = 0; v < V; v++)
+            for (int w = 0; w < V; w++) {
+                const double m = factor * element_mass(beam, e)[v * V + w];
+                const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
+                tangent_add(model, beam, e, v, w, block, K);
+            }
 }
 
 void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K)
 {
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++)
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++) {
-                    const double m = factor * element_mass(beam, e)[v * V + w];
-                    const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
-                    tangent_add(model, beam, e, v, w, block, K);
-                }
-    }
+    for (size_t i = 0; i < model->beams.count; i++)
+        mass_matrix_of(model, model_beam(model, i), factor, K);
+}
+
+double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
+                       const double *b)
+{
+    const int V = beam->kernel->vectors;
+    double sum = 0;
+    for (int e = 0; e < beam->spec.elements; e++)
+        for (int v = 0; v < V; v++)
+            for (int w = 0; w < V; w++)
+                sum += element_mass(beam, e)[v * V + w] *
+                       dot3(a + 3 * model_vector(model, beam, e, v),
+                            b + 3 * model_vector(model, beam, e, w));
+    return sum;
 }
 
 double mass_product(const struct hobe_model *model, const double *a, const double *b)
 {
     double sum = 0;
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++)
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++)
-                    sum += element_mass(beam, e)[v * V + w] *
-                           dot3(a + 3 * model_vector(model, beam, e, v),
-                                b + 3 * model_vector(model, beam, e, w));
-    }
+    for (size_t i = 0; i < model->beams.count; i++)
+        sum += mass_product_of(model, model_beam(model, i), a, b);
     return sum;
 }
 

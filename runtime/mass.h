@@ -8,9 +8,17 @@
 /* f[vectors][3] += factor M a, a[vectors][3]. */
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f);
 
-/* The same of element e of a beam alone. */
+/* Of one element alone. */
 void mass_element(const struct hobe_model *model, const struct beam *beam, int e, double factor,
                   const double *a, double *f);
+
+/* Of one beam alone. */
+void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                   const double *a, double *f);
+void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                    const struct matrix *K);
+double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
+                       const double *b);
 
 /* K += factor M */
 void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K);

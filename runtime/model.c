@@ -4,6 +4,7 @@
 
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
 #include "joint.h"
 #include "load.h"
 #include "numbering.h"
@@ -152,6 +153,8 @@ enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec
     if (not_finite(spec->from, 3) || not_finite(spec->to, 3) || not_finite(spec->up, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
                          "from, to and up of beam \"%s\" must be finite", spec->name);
+    if (damping_check(spec, err))
+        return HOBE_BAD_INPUT;
     struct beam *beam = list_append(&model->beams, sizeof *beam, err);
     if (!beam)
         return HOBE_NO_MEMORY;

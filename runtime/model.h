@@ -88,7 +88,7 @@ struct hobe_model {
     double *dead;            /* [vectors][3] forces that do not depend on the state */
     struct pattern pattern;
     int *stride[LAYOUTS];  /* [unknowns] */
-    hobe_fronts *fronts;   /* NULL where tangents are not symmetric, or ties border them */
+    hobe_fronts *fronts;   /* NULL where tangents are not symmetric */
     hobe_linsolve *solver; /* NULL until pattern_columns */
     struct schedule schedule;
     char **note;

@@ -5,6 +5,8 @@
 
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
+#include "inertia.h"
 #include "load.h"
 #include "mass.h"
 #include "pattern.h"
@@ -103,6 +105,8 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
         pattern_clear(s->model, K);
     constraint_add(s->model, s->u, &m->instant, s->r, K);
     load_subtract(s->model, s->u, &m->instant, factor, s->r, stiffness);
+    if (m->instant.v)
+        damping_add(s->model, s->u, &m->instant, s->r, stiffness);
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
@@ -152,10 +156,20 @@ enum outcome solver_factor(struct solver *s, struct hobe_error *err)
     return status == HOBE_SINGULAR ? FAILED : status ? ERROR : CONVERGED;
 }
 
-long solver_negative(const struct solver *s)
+enum hobe_status solver_negative(struct solver *s, long *negative, struct hobe_error *err)
 {
-    return s->factored == FRONTS ? fronts_negative(s->model->fronts)
-                                 : hobe_linsolve_negative(s->model->solver);
+    long spare;
+    const long multipliers = inertia_multipliers(s->model, &spare);
+    if (s->factored == FRONTS)
+        *negative = fronts_negative(s->model->fronts) - multipliers;
+    else if (multipliers == 0)
+        *negative = hobe_linsolve_negative(s->model->solver);
+    else {
+        const enum hobe_status status =
+            inertia_behind_ties(s->model, s->pivoting.value, s->scale, negative, err);
+        return status ? status : factor_in_columns(s, err);
+    }
+    return HOBE_OK;
 }
 
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,

@@ -66,8 +66,9 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm);
 /* Factors of the tangent: CONVERGED, FAILED where it is singular, ERROR. */
 enum outcome solver_factor(struct solver *s, struct hobe_error *err);
 
-/* Negative eigenvalues of the tangent that was factored last; -1 where that is not known. */
-long solver_negative(const struct solver *s);
+/* The negative eigenvalues, on what constraints leave free, of the tangent that was factored last,
+ * which must be symmetric; -1 where that is not known. */
+enum hobe_status solver_negative(struct solver *s, long *negative, struct hobe_error *err);
 
 /* x = factor K^-1 field by the last factors. */
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,

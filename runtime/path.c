@@ -10,7 +10,6 @@
  *
  * The next tangent is +-(q, 1) on the side of the last one: it goes on through limit points, and
  * straight over bifurcations.  Both show in the number of negative eigenvalues. */
-#include "inertia.h"
 #include "load.h"
 #include "newton.h"
 #include "solution.h"
@@ -128,17 +127,11 @@ static enum outcome iterate(struct follower *f, const struct plane *plane, struc
 static enum outcome count_and_factor(struct follower *f, struct hobe_error *err)
 {
     struct solver *s = &f->s;
-    long negative = -1, spare;
-    const int tied = inertia_multipliers(s->model, &spare) > 0;
+    long negative = -1;
     solver_evaluate(s, f->lambda, TRUE_TANGENT);
-    if (tied && f->symmetric) {
-        if (inertia_behind_ties(s->model, s->K.value, s->scale, &negative, err))
-            return ERROR;
-        solver_evaluate(s, f->lambda, TRUE_TANGENT);
-    }
     const enum outcome outcome = solver_factor(s, err);
-    if (outcome == CONVERGED && !tied && f->symmetric)
-        negative = solver_negative(s);
+    if (outcome == CONVERGED && f->symmetric && solver_negative(s, &negative, err))
+        return ERROR;
     s->info.negative = (int)negative;
     return outcome;
 }
