@@ -379,10 +379,10 @@ double hobe_drive_next(const hobe_drive *drive, double t);
 
 typedef struct hobe_model hobe_model;
 
-/* What a beam loses in motion: forces mass * M v, which hold back rigid motions, too; and the viscous
- * stress stiffness * C : dE/dt beside the elastic one (Kelvin, Voigt), which no rigid motion feels.
- * About an unloaded reference both are Rayleigh's damping: of a mode of angular frequency omega it
- * is the fraction (mass / omega + stiffness omega) / 2 of the critical one. */
+/* What a beam loses in motion: forces mass * M v, which hold back rigid motions, too; and the
+ * viscous stress stiffness * C : dE/dt beside the elastic one (Kelvin, Voigt), which no rigid
+ * motion feels. About an unloaded reference both are Rayleigh's damping: of a mode of angular
+ * frequency omega it is the fraction (mass / omega + stiffness omega) / 2 of the critical one. */
 struct hobe_damping {
     double mass;      /* 1/s, >= 0 */
     double stiffness; /* s, >= 0; only of elements whose energy is quartic */
@@ -725,9 +725,10 @@ struct hobe_energies {
     double time;        /* s */
     double kinetic;     /* v'M v/2, J */
     double strain;      /* J */
-    double loads;       /* work of all loads since the start, J */
-    double balance;     /* kinetic + strain, less their values at the start, less work: what the
-                           integration has lost (< 0), J */
+    double loads;          /* work of all loads since the start, J */
+    double damped;         /* what damping has taken since the start, J */
+    double balance;        /* kinetic + strain, less their values at the start, less the work of
+                              loads, and damped: what the integration has lost (< 0), J */
     double momentum[3]; /* kg m/s */
     double angular_momentum[3]; /* about the origin, kg m^2/s */
     double violation;           /* the largest |Phi|, relative to the scene's size, or rad */
