@@ -505,6 +505,16 @@ struct hobe_joint {
     hobe_drive *angle, *position; /* NULL, or how the joint is driven; they outlive the model */
 };
 
+/* Velocities with which hobe_dynamic starts: a rigid motion of what is as the start has it.  Of
+ * several that speak of a beam the last counts. */
+struct hobe_motion {
+    const char *where;
+    const char *beam;           /* NULL: everything */
+    double velocity[3];         /* m/s, of the point `about` */
+    double angular_velocity[3]; /* rad/s */
+    double about[3];            /* m */
+};
+
 /* "revolute" etc.; NULL for no kind. */
 const char *hobe_joint_name(enum hobe_joint_kind kind);
 
@@ -518,6 +528,7 @@ enum hobe_status hobe_model_clamp(hobe_model *, const struct hobe_clamp *, struc
 enum hobe_status hobe_model_force(hobe_model *, const struct hobe_force *, struct hobe_error *);
 enum hobe_status hobe_model_moment(hobe_model *, const struct hobe_moment *, struct hobe_error *);
 enum hobe_status hobe_model_join(hobe_model *, const struct hobe_join *, struct hobe_error *);
+enum hobe_status hobe_model_motion(hobe_model *, const struct hobe_motion *, struct hobe_error *);
 enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struct hobe_error *);
 /* Gravity, m/s^2 in global axes, on every beam; repeated calls add up. */
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
@@ -525,6 +536,20 @@ enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const doubl
 /* The same times a factor of time; NULL: 1. */
 enum hobe_status hobe_model_gravity_history(hobe_model *, const char *where, const double g[3],
                                             hobe_drive *history, struct hobe_error *);
+
+/* The scene as seen in a frame that turns steadily about a line: all supports turn with it, and
+ * loads keep their direction in it.  In equilibrium there F(q) = Q + w^2 M P q, the centrifugal
+ * force on the distance from the axis, P = I - e e': the load factor of statics scales w^2.  About
+ * it vibrations feel Coriolis' force, too (hobe_modal). */
+struct hobe_spin {
+    const char *where;
+    double axis[3];  /* e, of any length, global axes */
+    double about[3]; /* a point of the line, m */
+    double speed;    /* w, rad/s, positive by the right-hand rule about the axis */
+};
+/* At most one; HOBE_BAD_INPUT for a second one and an axis of no length.  Beams need densities, as
+ * hobe_model_build says. */
+enum hobe_status hobe_model_spin(hobe_model *, const struct hobe_spin *, struct hobe_error *);
 
 /* Checks the model and does everything that is done once: invariants, numbering, sparsity and
  * scatter maps, symbolic factorisation.  hobe_static calls it when it has not been called. */
@@ -571,7 +596,7 @@ typedef struct hobe_solution hobe_solution;
 struct hobe_solution_info {
     int steps, iterations, cutbacks, factorisations;
     double load;     /* load factor reached: 1 of hobe_static */
-    double time;     /* s, of drives and histories */
+    double time;     /* s, of drives, histories and hobe_dynamic */
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                         stable; -1: not counted, as by hobe_static */
     double residual; /* of the last iteration */
@@ -582,7 +607,7 @@ struct hobe_solution_info {
     double energy;   /* strain energy, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
-    double seconds;      /* in hobe_static without set-up */
+    double seconds;      /* in the verb so far, without set-up */
 };
 
 /* Static equilibrium under all loads of the model from its reference.  On success *solution is
@@ -655,6 +680,91 @@ hobe_solution *hobe_path_take(hobe_path *path, int i);
 /* The i-th event, 0 <= i < events, and its sentence; points are counted from 1 in it. */
 const struct hobe_path_event *hobe_path_event(const hobe_path *path, int i);
 void hobe_path_event_text(const struct hobe_path_event *event, char *text, size_t size);
+
+/* ---- motion in time (dynamic.c, history.c) --------------------------------------------------- */
+
+struct hobe_time_step { /* what a log line shows: a step that was taken, or given up */
+    long step;          /* taken so far */
+    double time;        /* reached, s */
+    double size;        /* of the step, s */
+    int iterations;     /* of Newton's method in it */
+    double error;       /* of its displacements, relative to the scene's size; NaN: not estimated */
+    const char *note;   /* "" or why it was given up */
+};
+
+/* Either a fixed step, or the accuracy that chooses the steps; `step` is then the longest. */
+struct hobe_dynamic {
+    double to;          /* the time that ends the motion, s, > that of the start */
+    double step;        /* s; 0: left to the accuracy */
+    double accuracy;    /* of the displacements in a step, relative to the scene's size; 0: the step
+                           is fixed */
+    double rho;         /* spectral radius at infinity, 0 < rho <= 1: what is left in a step of what
+                           is too fast for the steps; 0: 0.8 */
+    double store;       /* time between the states that are kept, which steps end at, s; 0: every
+                           step is kept */
+    double tolerance;   /* of forces left over, relative to those of inertia, loads and joints; 0:
+                           1e-9 */
+    int max_iterations; /* in a step; 0: 10 */
+    double smallest_step; /* below which a motion that needs accuracy is given up, s; 0: 1e-9 of
+                             the time to go */
+    int equilibrium;      /* 1: it starts from the static equilibrium under the loads of t = 0; 0:
+                             from the reference; with the velocities of hobe_motion */
+    const hobe_solution *start; /* or from this state of the model: an equilibrium, at t = 0, or one
+                                   of an earlier motion, at its time with its velocities */
+    void (*log)(void *context, const struct hobe_time_step *step); /* may be NULL */
+    void *context;
+};
+
+typedef struct hobe_history hobe_history;
+
+struct hobe_history_info {
+    int states;                       /* kept, the first among them */
+    long steps, rejected, iterations; /* taken; given up; of Newton's method in all */
+    long factorisations;
+    double time;                        /* reached, s */
+    double smallest_step, largest_step; /* taken, s */
+    double seconds;                     /* in hobe_dynamic without set-up */
+};
+
+/* The motion of a model under its loads, all of them on: M w + F(q) + Phi_q' lambda = Q(q, v, t),
+ * Phi(q, t) = 0, by generalised alpha (genalpha.h).  It may be free to move.  Velocities of the
+ * start that break constraints by more than 1e-6 are refused, smaller faults are mended.
+ * HOBE_BAD_INPUT also where a beam has no density; HOBE_NOT_CONVERGED says at what time, and why, a
+ * step failed: a fixed one, or the smallest.  On success *history is owned by the caller and refers
+ * to the model, which must outlive it. */
+enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *options,
+                              hobe_history **history, struct hobe_error *err);
+void hobe_history_free(hobe_history *history);
+void hobe_history_info(const hobe_history *history, struct hobe_history_info *info);
+
+/* The i-th kept state, owned by the history; its info.time is its time.  NULL past the last. */
+const hobe_solution *hobe_history_state(const hobe_history *history, int i);
+
+/* The same, to be owned by the caller from now on; the history has it no more. */
+hobe_solution *hobe_history_take(hobe_history *history, int i);
+
+/* What a motion keeps and loses. */
+struct hobe_energies {
+    double time;        /* s */
+    double kinetic;     /* v'M v/2, J */
+    double strain;      /* J */
+    double loads;       /* work of all loads since the start, J */
+    double balance;     /* kinetic + strain, less their values at the start, less work: what the
+                           integration has lost (< 0), J */
+    double momentum[3]; /* kg m/s */
+    double angular_momentum[3]; /* about the origin, kg m^2/s */
+    double violation;           /* the largest |Phi|, relative to the scene's size, or rad */
+    double violation_rate;      /* the largest |Phi_q v + Phi_t|, likewise, 1/s */
+};
+
+/* Of the i-th kept state; NULL past the last. */
+const struct hobe_energies *hobe_history_energies(const hobe_history *history, int i);
+
+/* Velocity, m/s, and acceleration, m/s^2, at the place (at, y, z) of a beam, as in
+ * hobe_solution_point; 0 of equilibria. */
+enum hobe_status hobe_solution_velocity(const hobe_solution *solution, const char *beam, double at,
+                                        double y, double z, double velocity[3],
+                                        double acceleration[3], struct hobe_error *err);
 
 /* ---- results (result.c, stress.c, resultants.c) --------------------------------------------- */
 

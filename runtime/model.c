@@ -79,6 +79,7 @@ void hobe_model_free(hobe_model *model)
     free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 2);
     free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
     free_named(&model->moments, sizeof(struct hobe_moment), offsetof(struct hobe_moment, beam), 1);
+    free_named(&model->motions, sizeof(struct hobe_motion), offsetof(struct hobe_motion, beam), 1);
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
     free_named(&model->joints, sizeof(struct hobe_joint), offsetof(struct hobe_joint, beam), 3);
     hobe_free(model->gravities.item);
@@ -94,6 +95,7 @@ void hobe_model_free(hobe_model *model)
     hobe_free(model->unknown);
     hobe_free(model->held);
     hobe_free(model->dead);
+    hobe_free(model->arm);
     assemble_free(&model->schedule);
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
@@ -267,6 +269,19 @@ enum hobe_status hobe_model_join(hobe_model *model, const struct hobe_join *spec
     return add_item(&model->joins, spec, sizeof *spec, offsetof(struct hobe_join, beam), 2, err);
 }
 
+enum hobe_status hobe_model_motion(hobe_model *model, const struct hobe_motion *spec,
+                                   struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
+    if (not_finite(spec->velocity, 3) || not_finite(spec->angular_velocity, 3) ||
+        not_finite(spec->about, 3))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "velocity (m/s), angular_velocity (rad/s) and about (m) must be finite");
+    return add_item(&model->motions, spec, sizeof *spec, offsetof(struct hobe_motion, beam), 1,
+                    err);
+}
+
 enum hobe_status hobe_model_gravity_history(hobe_model *model, const char *where, const double g[3],
                                             hobe_drive *history, struct hobe_error *err)
 {
@@ -287,6 +302,29 @@ enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const 
                                     struct hobe_error *err)
 {
     return hobe_model_gravity_history(model, where, g, NULL, err);
+}
+
+enum hobe_status hobe_model_spin(hobe_model *model, const struct hobe_spin *spec,
+                                 struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
+    const double length = length3(spec->axis);
+    if (!(length > 0 && isfinite(length)))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "the axis of a spin must be a direction {x, y, z}, got {%g, %g, %g}",
+                         spec->axis[0], spec->axis[1], spec->axis[2]);
+    if (not_finite(spec->about, 3) || !isfinite(spec->speed))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a spin's speed (rad/s) and the point it is about (m) must be finite");
+    if (model->spun)
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a scene turns as a whole, with one spin; there is another one");
+    model->spun = 1;
+    model->spin = *spec;
+    for (int a = 0; a < 3; a++)
+        model->spin.axis[a] = spec->axis[a] / length;
+    return HOBE_OK;
 }
 
 /* ---- look-up -------------------------------------------------------------------------------- */

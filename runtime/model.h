@@ -81,10 +81,13 @@ struct schedule {
 
 struct hobe_model {
     struct list beams, clamps, forces, moments, joins, joints; /* struct beam, hobe_clamp, ... */
-    struct list gravities; /* struct gravity, those with a history */
-    struct list ties;      /* struct tie (constraint.h), of corners and joints */
+    struct list motions, gravities; /* struct hobe_motion; struct gravity, with a history */
+    struct list ties;               /* struct tie (constraint.h), of corners and joints */
     double gravity[3];
     const char *gravity_where;
+    struct hobe_spin spin; /* with a unit axis */
+    int spun;              /* there is one */
+    double *arm;           /* [vectors][3] reference from a point of the spin's axis, NULL: none */
     int built;
     enum hobe_status failed; /* a failed build is not tried again */
     struct hobe_error loose; /* what is free to move, where something is: its status is not 0 */

@@ -433,19 +433,9 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
 
 hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err)
 {
-    const size_t vectors = (size_t)(3 * s->model->vectors);
-    hobe_solution *solution = hobe_alloc(1, sizeof *solution, err);
-    double *u = solution ? hobe_alloc(vectors, sizeof *u, err) : NULL;
-    if (!u) {
-        hobe_free(solution);
-        return NULL;
-    }
-    for (long v = 0; v < s->model->vectors; v++) /* joined vectors move together */
-        memcpy(u + 3 * v, s->u + 3 * s->model->alias[v], 3 * sizeof *u);
-    s->info.energy = assemble_energy(s->model, u);
+    s->info.energy = assemble_energy(s->model, s->u);
     s->info.seconds = hobe_seconds() - started;
-    *solution = (struct hobe_solution){s->model, u, s->info};
-    return solution;
+    return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
 }
 
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
@@ -470,16 +460,4 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     }
     solver_close(&s);
     return status;
-}
-
-void hobe_solution_free(hobe_solution *solution)
-{
-    if (solution)
-        hobe_free(solution->u);
-    hobe_free(solution);
-}
-
-void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info)
-{
-    *info = solution->info;
 }

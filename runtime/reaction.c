@@ -3,6 +3,7 @@
 #include "assemble.h"
 #include "constraint.h"
 #include "load.h"
+#include "mass.h"
 #include "numbering.h"
 #include "solution.h"
 #include "vector3.h"
@@ -26,10 +27,12 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
     double *r = hobe_alloc(3 * (size_t)model->vectors, sizeof *r, err);
     if (!r)
         return HOBE_NO_MEMORY;
-    assemble(model, solution->u, r, NULL);
     const struct instant instant = solution_instant(solution);
+    assemble(model, solution->u, r, NULL);
     constraint_add(model, solution->u, &instant, r, NULL);
     load_subtract(model, solution->u, &instant, solution->info.load, r, NULL);
+    if (solution->w)
+        mass_force(model, 1, solution->w, r);
     for (int v = 0; v < beam->kernel->vectors; v++) {
         const struct hobe_vector *is = beam->kernel->vector + v;
         const long number = model_vector(model, beam, e, v);
