@@ -45,7 +45,9 @@ static enum hobe_status find_rate(struct pencil *s, double *rate, struct hobe_er
     for (long v = 0; v < model->vectors; v++)
         for (int a = 0; a < 3 && model->unknown[v] >= 0; a++)
             s->product[3 * model->unknown[v] + a] = s->r[3 * v + a];
-    enum hobe_status status = pencil_factor(s, s->Ax, s->scale, err);
+    enum hobe_status status = model_failure(model, err);
+    if (!status)
+        status = pencil_factor(s, s->Ax, s->scale, err);
     if (!status)
         status = pencil_divide(s, s->product, err);
     for (long v = 0; v < model->vectors; v++)

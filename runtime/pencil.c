@@ -212,8 +212,10 @@ static enum hobe_status check_state(const struct pencil *s, const char *what,
     const struct hobe_force *force = s->state || s->buckling ? load_follower(model) : NULL;
     if (force)
         return hobe_fail(err, HOBE_BAD_INPUT, force->where,
-                         "a follower force makes the stiffness unsymmetric, which %s cannot "
-                         "treat; make the force on beam \"%s\" a dead one%s",
+                         "a %s makes the stiffness unsymmetric, which %s cannot treat; make the "
+                         "force on beam \"%s\" a dead one%s",
+                         force->function ? "force that is a function of its place"
+                                         : "follower force",
                          what, force->beam, s->buckling ? "" : ", or leave out the state");
     return HOBE_OK;
 }
