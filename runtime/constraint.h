@@ -95,6 +95,20 @@ void tie_jacobian(const struct tie *tie, const double *u,
 /* What a tie does to its place b: force, N, and moment about it, N m, global axes. */
 void tie_reaction(const struct tie *tie, const double *u, double force[3], double moment[3]);
 
+/* What a constraint measures between the places of a tie in state u, NULL: the reference; the tie
+ * need not have it.  G = its derivatives by r, y, z of both places, H the second ones unless NULL.
+ */
+double tie_measure(const struct tie *tie, const struct constraint *c, const double *u,
+                   double G[TIE_VECTORS][3], double (*H)[TIE_VECTORS][3][3]);
+
+/* moved = r, y, z of both places in a field on the vectors. */
+void tie_motion(const struct tie *tie, const double *field, double moved[TIE_VECTORS][3]);
+
+/* f += factor G and K += H, given on r, y, z of both places. */
+void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECTORS][3], double *f);
+void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
+                     double H[TIE_VECTORS][TIE_VECTORS][3][3], const struct matrix *K);
+
 /* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL. */
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);

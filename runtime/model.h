@@ -72,6 +72,7 @@ struct schedule {
 
 struct hobe_model {
     struct list beams, clamps, forces, moments, joins, joints; /* struct beam, hobe_clamp, ... */
+    struct list springs;                                       /* struct spring */
     struct list ties; /* struct tie (constraint.h), of corners and joints */
     double gravity[3];
     const char *gravity_where;

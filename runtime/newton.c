@@ -5,11 +5,13 @@
 
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
 #include "inertia.h"
 #include "load.h"
 #include "mass.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 
 #include <float.h>
 #include <math.h>
@@ -103,6 +105,8 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
     if (K && m->mass_alone)
         pattern_clear(s->model, K);
     constraint_add(s->model, s->u, &m->instant, s->r, K);
+    spring_add(s->model, s->u, &m->instant, s->r, stiffness);
+    damping_add(s->model, s->u, &m->instant, s->r, stiffness);
     load_subtract(s->model, s->u, &m->instant, factor, s->r, stiffness);
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
@@ -436,7 +440,7 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
     }
     for (long v = 0; v < s->model->vectors; v++) /* joined vectors move together */
         memcpy(u + 3 * v, s->u + 3 * s->model->alias[v], 3 * sizeof *u);
-    s->info.energy = assemble_energy(s->model, u);
+    s->info.energy = assemble_energy(s->model, u) + spring_energy(s->model, u);
     s->info.seconds = hobe_seconds() - started;
     *solution = (struct hobe_solution){s->model, u, s->info};
     return solution;

@@ -8,6 +8,7 @@
 #include "load.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <math.h>
@@ -26,6 +27,7 @@ void pencil_tangent(struct pencil *s, double factor, double *Ax)
     const struct matrix K = {COLUMNS, Ax};
     assemble(s->model, s->u, s->r, &K);
     constraint_add(s->model, s->u, &AT_REST, s->r, &K);
+    spring_add(s->model, s->u, &AT_REST, s->r, &K);
     load_subtract(s->model, s->u, &AT_REST, factor, s->r, &K);
 }
 

@@ -5,6 +5,7 @@
 #include "load.h"
 #include "numbering.h"
 #include "solution.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <stdio.h>
@@ -28,6 +29,7 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
         return HOBE_NO_MEMORY;
     assemble(model, solution->u, r, NULL);
     constraint_add(model, solution->u, &AT_REST, r, NULL);
+    spring_add(model, solution->u, &AT_REST, r, NULL);
     load_subtract(model, solution->u, &AT_REST, solution->info.load, r, NULL);
     for (int v = 0; v < beam->kernel->vectors; v++) {
         const struct hobe_vector *is = beam->kernel->vector + v;
