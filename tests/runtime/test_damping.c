@@ -112,7 +112,7 @@ static void turn_rigidly(const hobe_model *model, double *u, double *v)
 static void force(const hobe_model *model, const double *u, const double *v, double *f)
 {
     memset(f, 0, 3 * (size_t)model->vectors * sizeof *f);
-    damping_add(model, u, &(struct instant){0, v, 0}, f, NULL);
+    damping_add(model, u, &(struct instant){.v = v}, f, NULL);
 }
 
 /* Rotating rigidly there is no viscous force, which is measured by that of a random motion as fast.
@@ -166,7 +166,7 @@ static double *state;
 static void by_velocities(const hobe_model *model, const double *v, double *r,
                           const struct matrix *K)
 {
-    damping_add(model, state, &(struct instant){0, v, 1}, r, K);
+    damping_add(model, state, &(struct instant){.v = v, .rate = 1}, r, K);
 }
 
 static void check_matrix(const char *element, struct hobe_damping damping,
@@ -190,7 +190,7 @@ static void check_rest(const char *element, const hobe_section *section, const h
     if (pattern_matrix(model, FRONTS, &C, NULL) || pattern_matrix(model, FRONTS, &K, NULL) ||
         pattern_matrix(model, FRONTS, &M, NULL))
         check_stop("out of memory");
-    damping_add(model, u, &(struct instant){0, u, rate}, f, &C);
+    damping_add(model, u, &(struct instant){.v = u, .rate = rate}, f, &C);
     assemble(model, u, f, &K);
     mass_matrix(model, ALPHA, &M);
     for (size_t i = 0; i < fronts_size(model->fronts); i++) {
