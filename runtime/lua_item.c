@@ -90,6 +90,17 @@ struct beam {
     int mechanics, integration;
 };
 
+static const struct hobe_lua_key damping_keys[] = {
+    KEY(struct hobe_damping, mass, KEY_NUMBER, KEY_FROM(0), .unit = "1/s",
+        .doc = "forces of so many times the momentum; they hold back rigid motions, too"),
+    KEY(struct hobe_damping, stiffness, KEY_NUMBER, KEY_FROM(0), .unit = "s",
+        .doc = "viscous stress C : dE/dt of so many times the rate of strain, beside the elastic "
+               "one (Kelvin, Voigt): no rigid motion feels it; not for 3333s.  A mode of angular "
+               "frequency omega has (mass/omega + stiffness omega)/2 of the critical damping"),
+    {0}};
+
+static const struct hobe_lua_schema damping_schema = {"damping", damping_keys};
+
 #define BEAM(name, kind, ...) KEY_AS(#name, struct beam, beam.name, kind, __VA_ARGS__)
 
 static const struct hobe_lua_key beam_keys[] = {
@@ -123,6 +134,8 @@ static const struct hobe_lua_key beam_keys[] = {
     KEY(struct beam, integration, KEY_CHOICE, .choices = "exact|paper", .word = "exact",
         .doc = "exact, or 3 x 3 x 3 Gauss points and one term of the warping "
                "series as in the paper; not for 3333s"),
+    BEAM(damping, KEY_GROUP, .group = &damping_schema,
+         .doc = "what it loses in motion, a table {mass =, stiffness =}"),
     {0}};
 
 static const struct hobe_lua_schema beam_schema = {"beam", beam_keys};
@@ -393,6 +406,30 @@ static int spin(lua_State *L)
     return 1;
 }
 
+/* ---- the start of a motion ------------------------------------------------------------------ */
+
+static const struct hobe_lua_key motion_keys[] = {
+    KEY(struct hobe_motion, beam, KEY_TEXT, .position = 1,
+        .doc = "name of the beam; everything where left out"),
+    KEY(struct hobe_motion, velocity, KEY_VECTOR, .unit = "m/s",
+        .doc = "of the point `about`, {x, y, z}"),
+    KEY(struct hobe_motion, angular_velocity, KEY_VECTOR, .unit = "rad/s",
+        .doc = "about that point, {x, y, z}"),
+    KEY(struct hobe_motion, about, KEY_VECTOR, .unit = "m", .doc = "a point, {x, y, z}"),
+    {0}};
+
+static const struct hobe_lua_schema motion_schema = {"motion", motion_keys};
+
+static int motion(lua_State *L)
+{
+    struct hobe_motion read;
+    hobe_lua_read(L, 1, &motion_schema, &read);
+    struct hobe_motion *m = &push_item(L, ITEM_MOTION, &read, sizeof read)->as.motion;
+    m->where = keep(L, WHERE);
+    m->beam = m->beam ? keep_copy(L, m->beam, NAME) : NULL;
+    return 1;
+}
+
 const struct hobe_lua_entry hobe_lua_item_entries[] = {
     {"beam", beam,
      "hobe.beam{name =, element =, elements =, section =, material =, from =, to =, twist =} or "
@@ -429,4 +466,8 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      "statics and paths scales w^2.  `hobe.modal` about such an equilibrium minds Coriolis' force; "
      "critical speeds of a shaft are w sqrt(factor) of `hobe.buckling`.",
      &spin_schema, NULL},
+    {"motion", motion, "hobe.motion{[\"beam\",] velocity =, angular_velocity =, about =}",
+     "Velocities with which `hobe.dynamic` starts: those of a rigid motion.  Of several that speak "
+     "of a beam the last counts.",
+     &motion_schema, NULL},
     {0}};

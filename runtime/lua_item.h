@@ -17,7 +17,8 @@ enum hobe_lua_kind {
     ITEM_GRAVITY,
     ITEM_SPIN,
     ITEM_JOIN,
-    ITEM_JOINT
+    ITEM_JOINT,
+    ITEM_MOTION
 };
 
 struct hobe_lua_gravity {
@@ -38,6 +39,7 @@ struct hobe_lua_item {
         struct hobe_spin spin;
         struct hobe_join join;
         struct hobe_joint joint;
+        struct hobe_motion motion;
     } as;
 };
 
@@ -63,6 +65,13 @@ void hobe_lua_choose_material(lua_State *L, const struct hobe_lua_schema *schema
  * the script's functions as they are.  (lua_curve.c) */
 const hobe_curve *hobe_lua_push_curve(lua_State *L, int curve, int twist,
                                       const struct hobe_beam *beam);
+
+/* Pushes a result that is still empty, of the scene at an index (lua_solve.c). */
+hobe_solution **hobe_lua_new_result(lua_State *L, int scene);
+
+/* The scene and the table of options of a verb, the schema's name: its first two arguments. */
+struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
+                                          void *options, size_t size);
 
 /* The kernel called name; raises where there is none. */
 const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name);

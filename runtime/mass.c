@@ -27,6 +27,33 @@ void mass_element_force(const struct hobe_model *model, const struct beam *beam,
     }
 }
 
+static void element_matrix(const struct hobe_model *model, const struct beam *beam, int e,
+                           const double A[3][3], const struct matrix *K)
+{
+    const int V = beam->kernel->vectors;
+    for (int v = 0; v < V; v++)
+        for (int w = 0; w < V; w++) {
+            double block[3][3];
+            for (int c = 0; c < 9; c++)
+                block[c / 3][c % 3] = element_mass(beam, e)[v * V + w] * A[c / 3][c % 3];
+            tangent_add(model, beam, e, v, w, (const double(*)[3])block, K);
+        }
+}
+
+void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                   const double *a, double *f)
+{
+    for (int e = 0; e < beam->spec.elements; e++)
+        mass_element_force(model, beam, e, MASS_ISOTROPIC(factor), a, f);
+}
+
+void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                    const struct matrix *K)
+{
+    for (int e = 0; e < beam->spec.elements; e++)
+        element_matrix(model, beam, e, MASS_ISOTROPIC(factor), K);
+}
+
 void mass_force_through(const struct hobe_model *model, const double A[3][3], const double *a,
                         double *f)
 {
@@ -35,77 +62,44 @@ void mass_force_through(const struct hobe_model *model, const double A[3][3], co
             mass_element_force(model, model_beam(model, i), e, A, a, f);
 }
 
-void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
-{
-    const double A[3][3] = {{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}};
-    mass_force_through(model, A, a, f);
-}
-
 void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
                          const struct matrix *K)
 {
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++)
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++) {
-                    double block[3][3];
-                    for (int c = 0; c < 9; c++)
-                        block[c / 3][c % 3] = element_mass(beam, e)[v * V + w] * A[c / 3][c % 3];
-                    tangent_add(model, beam, e, v, w, (const double(*)[3])block, K);
-                }
-    }
+    for (size_t i = 0; i < model->beams.count; i++)
+        for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
+            element_matrix(model, model_beam(model, i), e, A, K);
+}
+
+void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
+{
+    mass_force_through(model, MASS_ISOTROPIC(factor), a, f);
 }
 
 void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K)
 {
-    const double A[3][3] = {{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}};
-    mass_matrix_through(model, A, K);
+    mass_matrix_through(model, MASS_ISOTROPIC(factor), K);
+}
+
+double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
+                       const double *b)
+{
+    const int V = beam->kernel->vectors;
+    double sum = 0;
+    for (int e = 0; e < beam->spec.elements; e++)
+        for (int v = 0; v < V; v++)
+            for (int w = 0; w < V; w++)
+                sum += element_mass(beam, e)[v * V + w] *
+                       dot3(a + 3 * model_vector(model, beam, e, v),
+                            b + 3 * model_vector(model, beam, e, w));
+    return sum;
 }
 
 double mass_product(const struct hobe_model *model, const double *a, const double *b)
 {
     double sum = 0;
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++)
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++)
-                    sum += element_mass(beam, e)[v * V + w] *
-                           dot3(a + 3 * model_vector(model, beam, e, v),
-                                b + 3 * model_vector(model, beam, e, w));
-    }
+    for (size_t i = 0; i < model->beams.count; i++)
+        sum += mass_product_of(model, model_beam(model, i), a, b);
     return sum;
-}
-
-/* Where the first node of element e is in the reference, m. */
-static void element_origin(const struct beam *beam, int e, double origin[3])
-{
-    for (int a = 0; a < 3; a++)
-        origin[a] = beam->origin ? beam->origin[e][a]
-                                 : beam->end[0][a] + (beam->end[1][a] - beam->end[0][a]) * e /
-                                                         beam->spec.elements;
-}
-
-void mass_reference(const struct hobe_model *model, double *q)
-{
-    memset(q, 0, (size_t)(3 * model->vectors) * sizeof *q);
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        for (int e = 0; e < beam->spec.elements; e++) {
-            double origin[3];
-            element_origin(beam, e, origin);
-            for (int v = 0; v < beam->kernel->vectors; v++) {
-                const struct hobe_vector *is = beam->kernel->vector + v;
-                double *to = q + 3 * model_vector(model, beam, e, v);
-                for (int a = 0; a < 3; a++)
-                    to[a] =
-                        beam_q0(beam, e)[3 * v + a] + (is->mode == 0 && !is->slope ? origin[a] : 0);
-            }
-        }
-    }
 }
 
 void mass_translation(const struct hobe_model *model, int axis, double *field)

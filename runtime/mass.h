@@ -5,6 +5,10 @@
 
 #include "model.h"
 
+/* factor I_3 for A below. */
+#define MASS_ISOTROPIC(factor)                                                                     \
+    ((const double[3][3]){{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}})
+
 /* f[vectors][3] += factor M a, a[vectors][3]. */
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f);
 
@@ -19,11 +23,16 @@ void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
 void mass_element_force(const struct hobe_model *model, const struct beam *beam, int e,
                         const double A[3][3], const double *a, double *f);
 
+/* Of one beam alone. */
+void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                   const double *a, double *f);
+void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                    const struct matrix *K);
+double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
+                       const double *b);
+
 /* a'M b of two fields [vectors][3], held vectors included. */
 double mass_product(const struct hobe_model *model, const double *a, const double *b);
-
-/* q[vectors][3] = the nodal vectors in the reference, positions from the global origin. */
-void mass_reference(const struct hobe_model *model, double *q);
 
 /* field[vectors][3] = the unit translation of everything along a global axis. */
 void mass_translation(const struct hobe_model *model, int axis, double *field);

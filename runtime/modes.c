@@ -52,6 +52,8 @@ enum hobe_status modes_find(struct pencil *s, const struct hobe_modal_options *o
     struct hobe_modal_options o = *options;
     *modes = NULL;
     enum hobe_status status = hobe_model_build(s->model, err);
+    if (!status)
+        status = model_check_held(s->model, err);
     if (status)
         return status;
     const double started = hobe_seconds();

@@ -141,8 +141,24 @@ static enum hobe_status map_beam(const struct hobe_model *model, enum layout lay
     return HOBE_OK;
 }
 
-static enum hobe_status map_beams(struct hobe_model *model, enum layout layout,
-                                  struct hobe_error *err)
+static enum hobe_status map_tie(const struct hobe_model *model, enum layout layout, struct tie *tie,
+                                struct hobe_error *err)
+{
+    long *place = hobe_alloc((size_t)(tie->vectors * tie->vectors), sizeof *place, err);
+    tie->place[layout] = place;
+    if (!place)
+        return HOBE_NO_MEMORY;
+    for (int v = 0; v < tie->vectors; v++)
+        for (int w = 0; w < tie->vectors; w++) {
+            const long i = model->unknown[tie->vector[v]], j = model->unknown[tie->vector[w]];
+            *place++ = i >= 0 && j >= 0 ? find_place(model, layout, i, j) : -1;
+        }
+    return HOBE_OK;
+}
+
+/* Where the blocks of beams and ties are. */
+static enum hobe_status map_blocks(struct hobe_model *model, enum layout layout,
+                                   struct hobe_error *err)
 {
     int *stride = hobe_alloc((size_t)model->unknowns, sizeof *stride, err);
     model->stride[layout] = stride;
@@ -151,6 +167,8 @@ static enum hobe_status map_beams(struct hobe_model *model, enum layout layout,
         stride[j] = find_stride(model, layout, j);
     for (size_t b = 0; !status && b < model->beams.count; b++)
         status = map_beam(model, layout, model_beam(model, b), err);
+    for (size_t i = 0; !status && i < model->ties.count; i++)
+        status = map_tie(model, layout, model_tie(model, i), err);
     return status;
 }
 
@@ -167,16 +185,10 @@ static void drop_columns(struct hobe_model *model)
         hobe_free(model_beam(model, b)->place[COLUMNS]);
         model_beam(model, b)->place[COLUMNS] = NULL;
     }
-}
-
-static void tie_map(const struct hobe_model *model, const struct tie *tie)
-{
-    long *block = tie->block;
-    for (int v = 0; v < tie->vectors; v++)
-        for (int w = 0; w < tie->vectors; w++) {
-            const long i = model->unknown[tie->vector[v]], j = model->unknown[tie->vector[w]];
-            *block++ = i >= 0 && j >= 0 ? find_block(&model->pattern, i, j) : -1;
-        }
+    for (size_t i = 0; i < model->ties.count; i++) {
+        hobe_free(model_tie(model, i)->place[COLUMNS]);
+        model_tie(model, i)->place[COLUMNS] = NULL;
+    }
 }
 
 static enum hobe_status block_columns(struct hobe_model *model, struct hobe_error *err)
@@ -204,14 +216,24 @@ enum hobe_status pattern_columns(struct hobe_model *model, struct hobe_error *er
         return HOBE_OK;
     enum hobe_status status = scalar_columns(p, err);
     if (!status)
-        status = map_beams(model, COLUMNS, err);
-    for (size_t i = 0; !status && i < model->ties.count; i++)
-        tie_map(model, model_tie(model, i));
+        status = map_blocks(model, COLUMNS, err);
     if (!status)
         model->solver = hobe_linsolve_analyse(3 * p->blocks, p->Ap, p->Ai, err);
     if (!model->solver)
         drop_columns(model);
     return model->solver ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+/* Blocks of multipliers, which are numbered behind all others. */
+static long multipliers(const struct hobe_model *model)
+{
+    long count = 0;
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        for (int b = 0; b < tie->blocks; b++)
+            count += model->unknown[tie->multiplier + b] >= 0;
+    }
+    return count;
 }
 
 enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
@@ -220,10 +242,10 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
     const enum hobe_status status = block_columns(model, err);
     if (status)
         return status;
-    if (load_follower(model) || model->ties.count > 0)
+    if (load_follower(model))
         return pattern_columns(model, err);
-    model->fronts = fronts_analyse(p->blocks, p->start, p->row, err);
-    return model->fronts ? map_beams(model, FRONTS, err) : HOBE_NO_MEMORY;
+    model->fronts = fronts_analyse(p->blocks, multipliers(model), p->start, p->row, err);
+    return model->fronts ? map_blocks(model, FRONTS, err) : HOBE_NO_MEMORY;
 }
 
 static size_t values(const struct hobe_model *model, enum layout layout)

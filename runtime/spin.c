@@ -29,7 +29,7 @@ enum hobe_status spin_build(struct hobe_model *model, struct hobe_error *err)
     model->arm = hobe_alloc(size, sizeof *model->arm, err);
     double *field = hobe_alloc(size, sizeof *field, err);
     if (model->arm && field) {
-        mass_reference(model, model->arm);
+        model_reference(model, model->arm);
         for (int a = 0; a < 3; a++) {
             mass_translation(model, a, field);
             for (size_t i = 0; i < size; i++)
