@@ -379,10 +379,10 @@ double hobe_drive_next(const hobe_drive *drive, double t);
 
 typedef struct hobe_model hobe_model;
 
-/* What a beam loses in motion: forces mass * M v, which hold back rigid motions, too; and the viscous
- * stress stiffness * C : dE/dt beside the elastic one (Kelvin, Voigt), which no rigid motion feels.
- * About an unloaded reference both are Rayleigh's damping: of a mode of angular frequency omega it
- * is the fraction (mass / omega + stiffness omega) / 2 of the critical one. */
+/* What a beam loses in motion: forces mass * M v, which hold back rigid motions, too; and the
+ * viscous stress stiffness * C : dE/dt beside the elastic one (Kelvin, Voigt), which no rigid
+ * motion feels. About an unloaded reference both are Rayleigh's damping: of a mode of angular
+ * frequency omega it is the fraction (mass / omega + stiffness omega) / 2 of the critical one. */
 struct hobe_damping {
     double mass;      /* 1/s, >= 0 */
     double stiffness; /* s, >= 0; only of elements whose energy is quartic */
@@ -413,11 +413,30 @@ struct hobe_clamp {
     int free_warping; /* 0: every vector of the node is held.  1: r and the slopes y, z are, so that
                          the section stays in place but may warp, and stretch along the axis */
 };
+
+/* F[3], N, global axes: the caller's force on a place of a beam at the time t, s, in the position
+ * x[3], m, with the velocity v[3], m/s, which is 0 in statics.  Smooth; or it returns a status with
+ * err (which may be NULL) set, which ends the solve. */
+typedef enum hobe_status hobe_force_function(void *context, double t, const double x[3],
+                                             const double v[3], double F[3],
+                                             struct hobe_error *err);
+
+/* Its derivatives G[0][a][c] = dF_a/dx_c, N/m, and G[1][a][c] = dF_a/dv_c, N s/m.  Without them
+ * they are central differences over steps of 6e-6 of the beam's length, and of the velocity and a
+ * length per s. */
+typedef enum hobe_status hobe_force_derivative(void *context, double t, const double x[3],
+                                               const double v[3], double G[2][3][3],
+                                               struct hobe_error *err);
+
 struct hobe_force {
     const char *where, *beam;
     double at;
-    double value[3]; /* N, global axes */
-    int follower;    /* 1: the force turns with the section from that initial direction */
+    double value[3];     /* N, global axes */
+    int follower;        /* 1: the force turns with the section from that initial direction */
+    hobe_drive *history; /* factor of time; NULL: 1.  It outlives the model, as all drives do */
+    hobe_force_function *function;     /* in place of value, which is {0,0,0}, and not follower */
+    hobe_force_derivative *derivative; /* of it; NULL: by differences */
+    void *context;                     /* of both */
 };
 /* Conservative: with M = m_x e_x + m_y e_y + m_z e_z on the beam's reference axes, its potential is
  * -m_x (phi_x(r_y) + phi_x(r_z))/2 - m_y phi_y(r_z) - m_z phi_z(r_y), phi_a(s) the angle of the
@@ -425,7 +444,8 @@ struct hobe_force {
 struct hobe_moment {
     const char *where, *beam;
     double at;
-    double value[3]; /* N m about the global axes */
+    double value[3];     /* N m about the global axes */
+    hobe_drive *history; /* as of forces */
 };
 struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle */
     const char *where, *beam[2];
@@ -513,6 +533,9 @@ enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struc
 /* Gravity, m/s^2 in global axes, on every beam; repeated calls add up. */
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
                                     struct hobe_error *);
+/* The same times a factor of time; NULL: 1. */
+enum hobe_status hobe_model_gravity_history(hobe_model *, const char *where, const double g[3],
+                                            hobe_drive *history, struct hobe_error *);
 
 /* The scene as seen in a frame that turns steadily about a line: all supports turn with it, and
  * loads keep their direction in it.  In equilibrium there F(q) = Q + w^2 M P q, the centrifugal
@@ -726,9 +749,10 @@ struct hobe_energies {
     double time;        /* s */
     double kinetic;     /* v'M v/2, J */
     double strain;      /* J */
-    double loads;       /* work of all loads since the start, J */
-    double balance;     /* kinetic + strain, less their values at the start, less work: what the
-                           integration has lost (< 0), J */
+    double loads;          /* work of all loads since the start, J */
+    double damped;         /* what damping has taken since the start, J */
+    double balance;        /* kinetic + strain, less their values at the start, less the work of
+                              loads, and damped: what the integration has lost (< 0), J */
     double momentum[3]; /* kg m/s */
     double angular_momentum[3]; /* about the origin, kg m^2/s */
     double violation;           /* the largest |Phi|, relative to the scene's size, or rad */

@@ -5,6 +5,7 @@
 
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
 #include "inertia.h"
 #include "load.h"
 #include "mass.h"
@@ -106,6 +107,8 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
         pattern_clear(s->model, K);
     constraint_add(s->model, s->u, &instant, s->r, K);
     load_subtract(s->model, s->u, &instant, factor, s->r, stiffness);
+    if (instant.v)
+        damping_add(s->model, s->u, &instant, s->r, stiffness);
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
