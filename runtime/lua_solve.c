@@ -105,7 +105,8 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
     SOLVED("negative", solution.negative, 'i', NULL,
            "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "
-           "stable; -1: not counted"),
+           "stable, as it may be with some where the scene spins (hobe.modal tells); -1: not "
+           "counted"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
