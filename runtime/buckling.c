@@ -33,7 +33,8 @@ static const double BEYOND = 10;
 static void loads_at(struct pencil *s)
 {
     memset(s->r, 0, (size_t)(3 * s->model->vectors) * sizeof *s->r);
-    load_subtract(s->model, s->u, &AT_REST, -1, s->r, NULL);
+    const struct instant instant = solution_instant(s->state);
+    load_subtract(s->model, s->u, &instant, -1, s->r, NULL);
 }
 
 /* rate[vectors][3] = v with K v = Q, by K's factors, zero where held. */
@@ -60,14 +61,15 @@ static void stiffen(struct pencil *s, const double *rate, double lambda, double 
 {
     const hobe_model *model = s->model;
     const struct matrix K = {COLUMNS, Ax};
+    const struct instant instant = solution_instant(s->state);
     const long beams = 3 * model->beam_vectors, all = 3 * model->vectors;
     for (long i = 0; i < beams; i++)
         v[i] = step * rate[i];
     assemble_strained(model, s->u, v, &K);
     for (long i = 0; i < all; i++) /* multipliers are forces */
         v[i] = s->u[i] + (i < beams ? 0 : step * rate[i]);
-    constraint_add(model, v, &AT_REST, s->r, &K);
-    load_subtract(model, s->u, &AT_REST, lambda + step, s->r, &K);
+    constraint_add(model, v, &instant, s->r, &K);
+    load_subtract(model, s->u, &instant, lambda + step, s->r, &K);
 }
 
 /* Mx = -D G D by the central difference over +-step; the largest of its entries. */

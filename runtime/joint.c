@@ -4,9 +4,11 @@
 #include "joint.h"
 
 #include "constraint.h"
+#include "drive.h"
 #include "rank.h"
 #include "vector3.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -64,20 +66,40 @@ static enum hobe_status check_axes(const struct hobe_joint *joint, struct hobe_e
     const struct kind *kind = kinds + joint->kind;
     const double *axis = joint->axis, *second = joint->second;
     const double size[2] = {length3(axis), length3(second)};
-    const int needed[2] = {kind->shift > APART || kind->turn > APART, kind->turn == CROSSED};
+    const int driven = joint->angle || (joint->position && kind->shift != APART);
+    const int needed[2] = {kind->shift > APART || kind->turn > APART || driven,
+                           kind->turn == CROSSED};
     static const char *const key[2] = {"axis", "second"};
     for (int i = 0; i < 2; i++)
         if (!isfinite(size[i]) || needed[i] != (size[i] > 0))
             return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
-                             needed[i] ? "a joint of kind %s needs %s, a direction {x, y, z} other "
-                                         "than {0, 0, 0}"
-                                       : "a joint of kind %s has no %s; leave it out",
-                             kind->name, key[i]);
+                             needed[i] ? "a %sjoint of kind %s needs %s, a direction {x, y, z} "
+                                         "other than {0, 0, 0}"
+                                       : "a %sjoint of kind %s has no %s; leave it out",
+                             driven ? "driven " : "", kind->name, key[i]);
     if (needed[1] && fabs(dot3(axis, second)) > 1e-9 * size[0] * size[1])
         return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
                          "the axes {%g, %g, %g} and {%g, %g, %g} of a universal joint must be at a "
                          "right angle",
                          axis[0], axis[1], axis[2], second[0], second[1], second[2]);
+    return HOBE_OK;
+}
+
+static enum hobe_status check_drives(const struct hobe_joint *joint, struct hobe_error *err)
+{
+    const hobe_drive *const drive[2] = {joint->angle, joint->position};
+    static const char *const key[2] = {"angle", "position"};
+    const enum stopped turn = kinds[joint->kind].turn;
+    if (joint->angle && turn != ALL && turn != ACROSS)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "a joint of kind %s lets its axis tilt, so that no angle about it can be "
+                         "driven; revolute and cylindrical ones keep it",
+                         kinds[joint->kind].name);
+    for (int i = 0; i < 2; i++)
+        if (drive[i] && !isnan(drive_jump(drive[i])))
+            return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                             "the %s of a joint cannot jump, at t = %g s; only a velocity may",
+                             key[i], drive_jump(drive[i]));
     return HOBE_OK;
 }
 
@@ -91,7 +113,8 @@ enum hobe_status joint_check(const struct hobe_joint *joint, struct hobe_error *
     if (!hobe_joint_name(joint->kind))
         return hobe_fail(err, HOBE_BAD_INPUT, joint->where, "there is no kind of joint %d",
                          (int)joint->kind);
-    return check_axes(joint, err);
+    const enum hobe_status status = check_drives(joint, err);
+    return status ? status : check_axes(joint, err);
 }
 
 /* ---- ties ------------------------------------------------------------------------------------ */
@@ -115,36 +138,47 @@ static void keep_normal(struct tie *tie, const double t[3], const double s[3])
             c->turn[i][j] = a[i] * b[j];
 }
 
+/* All turning about a driven axis, too, which the drive turns. */
 static void stop_turning(struct tie *tie, enum stopped turn, const double t[3][3],
                          const double second[3])
 {
-    if (turn == ALL)
+    if (turn == ALL || tie->angle)
         tie_turning(tie);
-    for (int i = 1; turn == ACROSS && i < 3; i++)
+    for (int i = 1; turn == ACROSS && !tie->angle && i < 3; i++)
         keep_normal(tie, t[i], t[0]);
     if (turn == CROSSED)
         keep_normal(tie, t[0], second);
 }
 
-/* (|g + d|^2 - |g|^2)/(2 |g|) = 0, g the gap in the reference. */
+/* (|g + d|^2 - |g|^2)/(2 |g|) = 0, g the gap in the reference; s + s^2/(2 |g|) if driven. */
 static void keep_distance(struct tie *tie, const double gap[3])
 {
     struct constraint *c = tie_constraint(tie);
     c->bend = 1 / length3(gap);
+    c->driven = tie->position != NULL;
     for (int a = 0; a < 3; a++)
         c->hold[a] = gap[a] * c->bend;
 }
 
+/* A driven shift is stopped along the axis, too, where the drive has it. */
 static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3][3],
                           const double gap[3])
 {
-    if (shift == APART)
+    const int driven = tie->position != NULL;
+    const int stops[3] = {shift == ALONG || driven, shift != ALONG, shift != ALONG};
+    if (shift == APART) {
         keep_distance(tie, gap);
-    for (int i = 0; i < 3 && shift == ALL; i++)
-        tie_constraint(tie)->hold[i] = 1;
-    for (int i = 0; i < 3; i++)
-        if (shift == (i == 0 ? ALONG : ACROSS))
-            on_section(tie->side, t[i], tie_constraint(tie)->slide);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        struct constraint *c = stops[i] || shift == ALL ? tie_constraint(tie) : NULL;
+        if (c && shift == ALL && !driven)
+            c->hold[i] = 1;
+        else if (c) {
+            on_section(tie->side, t[i], c->slide);
+            c->driven = driven && i == 0;
+        }
+    }
 }
 
 /* Finds both places and the gap from the first to the second. */
@@ -193,8 +227,11 @@ static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *jo
         return HOBE_NO_MEMORY;
     tie->where = joint->where;
     tie->name = joint->name;
+    tie->angle = joint->angle;
+    tie->position = joint->position;
     if (length3(joint->axis) > 0)
         make_triad(joint->axis, t);
+    on_section(tie->side, t[0], tie->axis);
     if (length3(joint->second) > 0)
         make_triad(joint->second, second);
     stop_turning(tie, kinds[joint->kind].turn, (const double(*)[3])t, second[0]);

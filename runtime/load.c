@@ -2,6 +2,7 @@
 #include "load.h"
 
 #include "element.h"
+#include "spin.h"
 #include "vector3.h"
 
 void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
@@ -262,7 +263,8 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
         if (!model_find_beam(model, moment->beam, moment->where, err))
             return HOBE_UNKNOWN;
     }
-    return build_gravity(model, err);
+    const enum hobe_status status = build_gravity(model, err);
+    return status ? status : spin_build(model, err);
 }
 
 void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
@@ -279,6 +281,7 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
     for (size_t i = 0; i < model->moments.count; i++)
         subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, factor, r,
                         K);
+    spin_subtract(model, u, factor, r, K);
 }
 
 /* Whether a load acts inside an element, between its ends. */
@@ -294,6 +297,7 @@ void load_inside(const struct hobe_model *model, const double *u, double factor,
                  const struct beam *beam, int e, double *f)
 {
     add_weight(model, beam, e, factor, f);
+    spin_inside(model, u, factor, beam, e, f);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         struct station s;

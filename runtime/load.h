@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Forces, moments and gravity. */
+/* Forces, moments and gravity; and the centrifugal force. */
 #ifndef HOBE_LOAD_H
 #define HOBE_LOAD_H
 

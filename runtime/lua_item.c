@@ -354,9 +354,19 @@ static const struct hobe_lua_key gravity_keys[] = {
         .doc = "the acceleration {x, y, z}, global axes"),
     {0}};
 
+static const struct hobe_lua_key spin_keys[] = {
+    KEY(struct hobe_spin, axis, KEY_VECTOR, REQUIRED,
+        .doc = "direction {x, y, z} of the line about which the scene turns, global axes"),
+    KEY(struct hobe_spin, about, KEY_VECTOR, .unit = "m",
+        .doc = "a point of that line, {0, 0, 0} where left out"),
+    KEY(struct hobe_spin, speed, KEY_NUMBER, REQUIRED, .unit = "rad/s",
+        .doc = "angular velocity, by the right-hand rule about the axis"),
+    {0}};
+
 static const struct hobe_lua_schema force_schema = {"force", force_keys};
 static const struct hobe_lua_schema moment_schema = {"moment", moment_keys};
 static const struct hobe_lua_schema gravity_schema = {"gravity", gravity_keys};
+static const struct hobe_lua_schema spin_schema = {"spin", spin_keys};
 
 static int force(lua_State *L)
 {
@@ -384,6 +394,15 @@ static int gravity(lua_State *L)
     hobe_lua_read(L, 1, &gravity_schema, &read);
     struct hobe_lua_gravity *g = &push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
     g->where = keep(L, WHERE);
+    return 1;
+}
+
+static int spin(lua_State *L)
+{
+    struct hobe_spin read = {0};
+    hobe_lua_read(L, 1, &spin_schema, &read);
+    struct hobe_spin *s = &push_item(L, ITEM_SPIN, &read, sizeof read)->as.spin;
+    s->where = keep(L, WHERE);
     return 1;
 }
 
@@ -440,6 +459,13 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      &moment_schema, NULL},
     {"gravity", gravity, "hobe.gravity{0, 0, -9.81}",
      "Gravity on every beam of the scene; several add up.", &gravity_schema, NULL},
+    {"spin", spin, "hobe.spin{axis = {0, 0, 1}, speed =}",
+     "The scene as seen in a frame that turns steadily with all its supports: its equilibrium "
+     "bears the centrifugal force w^2 M P q, P the projection across the axis, which moves with "
+     "what it acts on.  Forces keep their direction in the turning frame.  The load factor of "
+     "statics and paths scales w^2.  `hobe.modal` about such an equilibrium minds Coriolis' force; "
+     "critical speeds of a shaft are w sqrt(factor) of `hobe.buckling`.",
+     &spin_schema, NULL},
     {"motion", motion, "hobe.motion{[\"beam\",] velocity =, angular_velocity =, about =}",
      "Velocities with which `hobe.dynamic` starts: those of a rigid motion.  Of several that speak "
      "of a beam the last counts.",

@@ -15,6 +15,7 @@ enum hobe_lua_kind {
     ITEM_FORCE,
     ITEM_MOMENT,
     ITEM_GRAVITY,
+    ITEM_SPIN,
     ITEM_JOIN,
     ITEM_JOINT,
     ITEM_MOTION
@@ -35,6 +36,7 @@ struct hobe_lua_item {
         struct hobe_force force;
         struct hobe_moment moment;
         struct hobe_lua_gravity gravity;
+        struct hobe_spin spin;
         struct hobe_join join;
         struct hobe_joint joint;
         struct hobe_motion motion;

@@ -50,7 +50,14 @@ static char *copy_text(const char *text, struct hobe_error *err)
 
 hobe_model *hobe_model_new(struct hobe_error *err)
 {
-    return hobe_alloc(1, sizeof(hobe_model), err);
+    hobe_model *model = hobe_alloc(1, sizeof *model, err);
+    struct hobe_error *failure = model ? hobe_alloc(1, sizeof *failure, err) : NULL;
+    if (!failure) {
+        hobe_free(model);
+        return NULL;
+    }
+    model->failure = failure;
+    return model;
 }
 
 static void free_named(struct list *list, size_t size, size_t name_offset, int names)
@@ -87,10 +94,12 @@ void hobe_model_free(hobe_model *model)
     hobe_free(model->unknown);
     hobe_free(model->held);
     hobe_free(model->dead);
+    hobe_free(model->arm);
     assemble_free(&model->schedule);
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
     hobe_free(model->note);
+    hobe_free(model->failure);
     hobe_free(model);
 }
 
@@ -281,6 +290,29 @@ enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const 
     return HOBE_OK;
 }
 
+enum hobe_status hobe_model_spin(hobe_model *model, const struct hobe_spin *spec,
+                                 struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
+    const double length = length3(spec->axis);
+    if (!(length > 0 && isfinite(length)))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "the axis of a spin must be a direction {x, y, z}, got {%g, %g, %g}",
+                         spec->axis[0], spec->axis[1], spec->axis[2]);
+    if (not_finite(spec->about, 3) || !isfinite(spec->speed))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a spin's speed (rad/s) and the point it is about (m) must be finite");
+    if (model->spun)
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a scene turns as a whole, with one spin; there is another one");
+    model->spun = 1;
+    model->spin = *spec;
+    for (int a = 0; a < 3; a++)
+        model->spin.axis[a] = spec->axis[a] / length;
+    return HOBE_OK;
+}
+
 /* ---- look-up -------------------------------------------------------------------------------- */
 
 const struct beam *model_find_beam(const struct hobe_model *model, const char *name,
@@ -364,6 +396,24 @@ enum hobe_status model_add_note(hobe_model *model, const char *text, struct hobe
     model->note = grown;
     grown[model->notes] = copy_text(text, err);
     return grown[model->notes] && ++model->notes ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+void model_fail(const struct hobe_model *model, const char *where, const struct hobe_error *err)
+{
+    if (model->failure->status)
+        return;
+    *model->failure = *err;
+    if (!err->where)
+        model->failure->where = where;
+}
+
+enum hobe_status model_failure(const struct hobe_model *model, struct hobe_error *err)
+{
+    const enum hobe_status status = model->failure->status;
+    if (status && err)
+        *err = *model->failure;
+    model->failure->status = HOBE_OK;
+    return status;
 }
 
 /* ---- build ---------------------------------------------------------------------------------- */

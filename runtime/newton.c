@@ -100,13 +100,15 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
     const struct motion *m = &s->motion;
     const struct matrix *stiffness = m->mass_alone ? NULL : K;
+    struct instant instant = m->instant;
+    instant.held_back = 1 - factor;
     assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, stiffness);
     if (K && m->mass_alone)
         pattern_clear(s->model, K);
-    constraint_add(s->model, s->u, &m->instant, s->r, K);
-    load_subtract(s->model, s->u, &m->instant, factor, s->r, stiffness);
-    if (m->instant.v)
-        damping_add(s->model, s->u, &m->instant, s->r, stiffness);
+    constraint_add(s->model, s->u, &instant, s->r, K);
+    load_subtract(s->model, s->u, &instant, factor, s->r, stiffness);
+    if (instant.v)
+        damping_add(s->model, s->u, &instant, s->r, stiffness);
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
@@ -247,6 +249,8 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
         const int far = s->now.iteration > 0 && last_norm > NEAR * first_norm;
         solver_evaluate(s, factor, far ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
+        if (model_failure(s->model, err))
+            return ERROR;
         if (s->now.iteration == 0)
             first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
@@ -422,10 +426,12 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
     *s = (struct solver){.model = model, .options = *options, .singular = -1};
     s->info.negative = -1;
     set_defaults(&s->options);
+    s->motion.instant.time = s->info.time = options->time;
     const enum hobe_status status = allocate(s, err);
-    if (!status)
-        set_scale(s);
-    return status;
+    if (status)
+        return status;
+    set_scale(s);
+    return model_failure(model, err);
 }
 
 hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err)

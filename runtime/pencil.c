@@ -24,9 +24,10 @@ enum {
 void pencil_tangent(struct pencil *s, double factor, double *Ax)
 {
     const struct matrix K = {COLUMNS, Ax};
+    const struct instant instant = solution_instant(s->state);
     assemble(s->model, s->u, s->r, &K);
-    constraint_add(s->model, s->u, &AT_REST, s->r, &K);
-    load_subtract(s->model, s->u, &AT_REST, factor, s->r, &K);
+    constraint_add(s->model, s->u, &instant, s->r, &K);
+    load_subtract(s->model, s->u, &instant, factor, s->r, &K);
 }
 
 void pencil_scale(const struct pencil *s, double *Ax)

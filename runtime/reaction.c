@@ -48,7 +48,16 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
                 is->mode || is->slope ? couple[a] : r[3 * number + a];
     }
     hobe_free(r);
-    return HOBE_OK;
+    return model_failure(model, err);
+}
+
+static enum hobe_status from_tie(const hobe_solution *solution, const struct tie *tie,
+                                 struct hobe_reaction *reaction, struct hobe_error *err)
+{
+    const struct instant instant = solution_instant(solution);
+    const enum hobe_status status =
+        tie_reaction(tie, solution->u, &instant, reaction->force, reaction->moment, err);
+    return status ? status : tie_power(tie, solution->u, &instant, &reaction->power, err);
 }
 
 static enum hobe_status fail_unknown(const hobe_model *model, const char *name,
@@ -81,9 +90,7 @@ enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const cha
             return from_clamp(solution, clamp, reaction, err);
     }
     for (size_t i = 0; i < model->ties.count; i++)
-        if (is_called(model_tie(model, i)->name, name)) {
-            tie_reaction(model_tie(model, i), solution->u, reaction->force, reaction->moment);
-            return HOBE_OK;
-        }
+        if (is_called(model_tie(model, i)->name, name))
+            return from_tie(solution, model_tie(model, i), reaction, err);
     return fail_unknown(model, name, err);
 }

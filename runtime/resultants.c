@@ -87,7 +87,7 @@ static enum hobe_status from_forces(const hobe_solution *solution, const struct 
     if (!status) {
         load_inside(model, solution->u, solution->info.load, beam, e, loads);
         if (solution->w)
-            mass_element(model, beam, e, -1, solution->w, loads);
+            mass_element_force(model, beam, e, MASS_ISOTROPIC(-1), solution->w, loads);
         for (int v = 0; v < p->kernel->vectors; v++)
             for (int a = 0; a < 3; a++) {
                 const double load = loads[3 * model_vector(model, beam, e, v) + a];

@@ -12,10 +12,12 @@ struct hobe_solution {
     struct hobe_solution_info info;
 };
 
-/* The instant of a state, for forces that ask. */
-static inline struct instant solution_instant(const struct hobe_solution *s)
+/* When a state is, for its constraints and loads; NULL: the reference, where nothing is driven yet.
+ */
+static inline struct instant solution_instant(const struct hobe_solution *state)
 {
-    return (struct instant){s->info.time, s->v, 0};
+    return state ? (struct instant){.time = state->info.time, .v = state->v}
+                 : (struct instant){.held_back = 1};
 }
 
 /* A state with copies of the fields [vectors][3], those of joined vectors spread; v and w NULL: an
