@@ -370,7 +370,7 @@ static const struct hobe_lua_schema spin_schema = {"spin", spin_keys};
 
 static int force(lua_State *L)
 {
-    struct hobe_force read;
+    struct hobe_force read = {0};
     hobe_lua_read(L, 1, &force_schema, &read);
     struct hobe_force *f = &push_item(L, ITEM_FORCE, &read, sizeof read)->as.force;
     f->where = keep(L, WHERE);
@@ -380,7 +380,7 @@ static int force(lua_State *L)
 
 static int moment(lua_State *L)
 {
-    struct hobe_moment read;
+    struct hobe_moment read = {0};
     hobe_lua_read(L, 1, &moment_schema, &read);
     struct hobe_moment *m = &push_item(L, ITEM_MOMENT, &read, sizeof read)->as.moment;
     m->where = keep(L, WHERE);
