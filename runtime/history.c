@@ -3,6 +3,7 @@
 
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
 #include "load.h"
 #include "mass.h"
 #include "solution.h"
@@ -38,11 +39,13 @@ static void sum_loads(const hobe_model *model, const double *u, const double *v,
 void account_begin(struct account *account, const struct genalpha *g)
 {
     sum_loads(g->s.model, g->now.u, g->now.v, g->now.time, account->Q);
+    account->power = damping_power(g->s.model, g->now.u, g->now.v);
 }
 
 void account_step(struct account *account, const struct genalpha *g)
 {
     const hobe_model *model = g->s.model;
+    const double power = damping_power(model, g->s.u, g->v);
     double *Q = account->Q;
     sum_loads(model, g->s.u, g->v, g->s.motion.instant.time, account->Q1);
     for (long v = 0; v < model->moving; v++)
@@ -50,6 +53,8 @@ void account_step(struct account *account, const struct genalpha *g)
             const long i = 3 * v + a;
             account->loads += (Q[i] + account->Q1[i]) / 2 * (g->s.u[i] - g->now.u[i]);
         }
+    account->damped += g->now.step * (account->power + power) / 2;
+    account->power = power;
     account->Q = account->Q1;
     account->Q1 = Q;
 }
@@ -84,7 +89,8 @@ static struct hobe_energies measure(struct genalpha *g, const struct account *ac
     struct hobe_energies e = {.time = g->now.time,
                               .kinetic = mass_product(model, g->now.v, g->now.v) / 2,
                               .strain = assemble_energy(model, g->now.u),
-                              .loads = account->loads};
+                              .loads = account->loads,
+                              .damped = account->damped};
     const struct instant instant = {g->now.time, g->now.v, 0, 0};
     sum_momenta(g, &e);
     settle_rate(g, &g->now, g->s.u, g->force, g->w);
@@ -129,7 +135,7 @@ enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct 
     struct hobe_energies e = measure(g, account);
     if (history->energies.count == 0)
         account->start = e.kinetic + e.strain;
-    e.balance = e.kinetic + e.strain - account->start - e.loads;
+    e.balance = e.kinetic + e.strain - account->start - e.loads + e.damped;
     g->s.info.energy = e.strain;
     const enum hobe_status status = keep_state(history, g, started, err);
     if (status)
