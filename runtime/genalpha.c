@@ -238,6 +238,8 @@ static enum outcome iterate(struct genalpha *g, struct hobe_error *err)
     double first = 0, last = INFINITY;
     for (g->iterations = 0; g->iterations <= g->max_iterations; g->iterations++) {
         evaluate(g, g->factored ? NO_TANGENT : TRUE_TANGENT);
+        if (model_failure(s->model, err))
+            return ERROR;
         double norm = solver_norm(s, s->r, 1);
         const double wanted = goal(g);
         first = g->iterations ? first : fmax(norm, wanted);
@@ -261,10 +263,10 @@ static enum outcome iterate(struct genalpha *g, struct hobe_error *err)
 enum outcome genalpha_step(struct genalpha *g, struct hobe_error *err)
 {
     const double h = g->now.step;
-    g->s.motion = (struct motion){
-        .instant = {g->now.begin + (double)(g->now.taken + 1) * h, g->v, g->gamma / (h * g->beta)},
-        .force = g->force,
-        .inertia = (1 - g->am) / ((1 - g->af) * h * h * g->beta)};
+    g->s.motion = (struct motion){.instant = {g->now.begin + (double)(g->now.taken + 1) * h, g->v,
+                                              g->gamma / (h * g->beta), 0},
+                                  .force = g->force,
+                                  .inertia = (1 - g->am) / ((1 - g->af) * h * h * g->beta)};
     predict(g);
     return iterate(g, err);
 }

@@ -10,11 +10,16 @@ struct hobe_history {
     struct list states, energies; /* hobe_solution *, struct hobe_energies */
 };
 
-/* The work since the start, by steps: of loads (Q + Q1)/2 . (u1 - u), exact where they are dead. */
+/* The work since the start, by steps: of loads (Q + Q1)/2 . (u1 - u), exact where they are dead; of
+ * drives and damping h (P + P1)/2. */
 struct account {
-    double *Q, *Q1; /* [vectors][3] forces of the loads at the begin and at the end of a step, N */
-    double loads;   /* J */
-    double start;   /* kinetic and strain energy there, J */
+    double *Q, *Q1; /* [vectors][3] the loads at the begin and at the end of a step, N */
+    double *rate;   /* [vectors][3] Phi_t */
+    struct power {
+        double drives, damped;
+    } power;                      /* at the begin, W */
+    double loads, drives, damped; /* J */
+    double start;                 /* kinetic and strain energy there, J */
 };
 
 enum hobe_status account_open(struct account *account, const hobe_model *model,

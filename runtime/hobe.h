@@ -754,8 +754,10 @@ struct hobe_energies {
     double kinetic;     /* v'M v/2, J */
     double strain;      /* J */
     double loads;       /* work of all loads since the start, J */
-    double balance;     /* kinetic + strain, less their values at the start, less work: what the
-                           integration has lost (< 0), J */
+    double drives;      /* and of the drives of joints */
+    double damped;      /* what damping has taken since the start, J */
+    double balance;     /* kinetic + strain, less their values at the start, less the work of
+                           loads and drives, and damped: what the integration has lost (< 0), J */
     double momentum[3]; /* kg m/s */
     double angular_momentum[3]; /* about the origin, kg m^2/s */
     double violation;           /* the largest |Phi|, relative to the scene's size, or rad */
