@@ -633,7 +633,7 @@ struct hobe_solution_info {
                         norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
                         and round-off leave open; NaN where the stiffness has no factors, 0 on a
                         path or without load */
-    double energy;   /* strain energy, J */
+    double energy;   /* strain energy, that of springs included, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
     double seconds;      /* in the verb so far, without set-up */
@@ -914,7 +914,7 @@ struct hobe_reaction {
 enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const char *name,
                                         struct hobe_reaction *reaction, struct hobe_error *err);
 
-/* What a spring does, its damper aside. */
+/* What a spring and its damper do. */
 struct hobe_spring_state {
     enum hobe_spring_kind kind;
     double extension[3]; /* the length, m; the angle, rad; or three displacements, m */

@@ -110,8 +110,6 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
     spring_add(s->model, s->u, &instant, s->r, stiffness);
     damping_add(s->model, s->u, &instant, s->r, stiffness);
     load_subtract(s->model, s->u, &instant, factor, s->r, stiffness);
-    if (instant.v)
-        damping_add(s->model, s->u, &instant, s->r, stiffness);
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
