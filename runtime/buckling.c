@@ -3,10 +3,11 @@
  * of the linear response but without its displacements, becomes singular: (K + mu G) phi = 0.
  *
  * K v = Q is the response to all loads.  G, the geometric stiffness, is the second derivative of
- * the strains by the displacements times the stresses of v; of a joint that of its constraints
- * times v's multipliers; and of loads that depend on the state -dQ/du.  What v's rotations change
- * in K is left out, as everywhere in linear buckling: linear in mu it would be no rotation but a
- * strain, and soften a beam that bends before it buckles.
+ * the strains by the displacements times the stresses of v; of a spring that of its extension
+ * times v's force, of a joint that of its constraints times v's multipliers; and of loads that
+ * depend on the state -dQ/du.  What v's rotations change in K is left out, as everywhere in linear
+ * buckling: linear in mu it would be no rotation but a strain, and soften a beam that bends before
+ * it buckles.
  *
  * G is the central difference of the tangent of elements that are strained by +-epsilon v in place:
  * exact where strains are quadratic in u. */
@@ -16,6 +17,7 @@
 #include "modes.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -67,6 +69,7 @@ static void stiffen(struct pencil *s, const double *rate, double lambda, double 
     for (long i = 0; i < beams; i++)
         v[i] = step * rate[i];
     assemble_strained(model, s->u, v, &K);
+    spring_strained(model, s->u, v, &K);
     for (long i = 0; i < all; i++) /* multipliers are forces */
         v[i] = s->u[i] + (i < beams ? 0 : step * rate[i]);
     constraint_add(model, v, &instant, s->r, &K);

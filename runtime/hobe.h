@@ -518,6 +518,33 @@ struct hobe_motion {
 /* "revolute" etc.; NULL for no kind. */
 const char *hobe_joint_name(enum hobe_joint_kind kind);
 
+/* What a spring acts on: the distance of its places; the angle by which its second part has turned
+ * against the first about an axis, from -pi to pi: whole turns are not counted; the displacement of
+ * the second place against the first, along the global axes in the reference, which move with the
+ * first part: an elastic support, or a joint that gives. */
+enum hobe_spring_kind { HOBE_SPRING_LENGTH, HOBE_SPRING_TORSION, HOBE_SPRING_BUSHING };
+
+/* A spring and damper without mass between places anywhere on two beams, or between the ground and
+ * one: the force k (l - l0) + c dl/dt along the line of its places, the moment k (a - a0) + c da/dt
+ * about its axis, or three forces, on both places in opposite directions.  A spring of kind length
+ * has no direction where its places coincide, nor a bushing between two beams where they do not.
+ * Directions belong to a beam as those of joints do (above).  Springs hold a scene as supports do,
+ * along their extensions; statics do not scale them by the load factor.  */
+struct hobe_spring {
+    const char *where;
+    const char *beam[2]; /* beam[1] NULL: between the ground and beam[0] */
+    const char *name;    /* by which hobe_solution_spring knows it, or NULL */
+    double at[2];
+    enum hobe_spring_kind kind;
+    double
+        stiffness[3];  /* k >= 0, N/m; N m/rad; of a bushing along x, y, z, else the first alone */
+    double damping[3]; /* c >= 0, N s/m; N m s/rad; likewise; at rest there is none */
+    double length;     /* l0 > 0 of a length, m; 0: the distance in the reference */
+    double angle;      /* a0 of torsion, rad, from the reference */
+    double axis[3];    /* of torsion: global, in the reference; it moves with the first part */
+    double to[3];      /* of a length to the ground: its place there, m */
+};
+
 hobe_model *hobe_model_new(struct hobe_error *err);
 void hobe_model_free(hobe_model *model);
 
@@ -530,6 +557,7 @@ enum hobe_status hobe_model_moment(hobe_model *, const struct hobe_moment *, str
 enum hobe_status hobe_model_join(hobe_model *, const struct hobe_join *, struct hobe_error *);
 enum hobe_status hobe_model_motion(hobe_model *, const struct hobe_motion *, struct hobe_error *);
 enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struct hobe_error *);
+enum hobe_status hobe_model_spring(hobe_model *, const struct hobe_spring *, struct hobe_error *);
 /* Gravity, m/s^2 in global axes, on every beam; repeated calls add up. */
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
                                     struct hobe_error *);
@@ -750,10 +778,11 @@ struct hobe_energies {
     double time;        /* s */
     double kinetic;     /* v'M v/2, J */
     double strain;      /* J */
-    double loads;          /* work of all loads since the start, J */
-    double damped;         /* what damping has taken since the start, J */
-    double balance;        /* kinetic + strain, less their values at the start, less the work of
-                              loads, and damped: what the integration has lost (< 0), J */
+    double loads;       /* work of all loads since the start, J */
+    double drives;      /* and of the drives of joints */
+    double damped;      /* what damping has taken since the start, J */
+    double balance;     /* kinetic + strain, less their values at the start, less the work of
+                           loads and drives, and damped: what the integration has lost (< 0), J */
     double momentum[3]; /* kg m/s */
     double angular_momentum[3]; /* about the origin, kg m^2/s */
     double violation;           /* the largest |Phi|, relative to the scene's size, or rad */
@@ -885,6 +914,18 @@ struct hobe_reaction {
 };
 enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const char *name,
                                         struct hobe_reaction *reaction, struct hobe_error *err);
+
+/* What a spring does, its damper aside. */
+struct hobe_spring_state {
+    enum hobe_spring_kind kind;
+    double extension[3]; /* the length, m; the angle, rad; or three displacements, m */
+    double force[3]; /* that pulls both places together, N; the moment that turns the second part
+                        back, N m; or three forces that push the second place back, N */
+};
+
+/* Of the spring called name; HOBE_UNKNOWN where there is none. */
+enum hobe_status hobe_solution_spring(const hobe_solution *solution, const char *name,
+                                      struct hobe_spring_state *state, struct hobe_error *err);
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);

@@ -9,6 +9,7 @@
 #include "load.h"
 #include "numbering.h"
 #include "pattern.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <stdio.h>
@@ -83,6 +84,10 @@ void hobe_model_free(hobe_model *model)
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
     free_named(&model->joints, sizeof(struct hobe_joint), offsetof(struct hobe_joint, beam), 3);
     hobe_free(model->gravities.item);
+
+    for (size_t i = 0; i < model->springs.count; i++)
+        tie_free(&model_spring(model, i)->tie);
+    free_named(&model->springs, sizeof(struct spring), offsetof(struct spring, spec.beam), 3);
     for (size_t i = 0; i < model->ties.count; i++)
         tie_free(model_tie(model, i));
     hobe_free(model->ties.item);
@@ -234,6 +239,21 @@ enum hobe_status hobe_model_joint(hobe_model *model, const struct hobe_joint *sp
         check_name(model, spec->name, spec->where, err))
         return HOBE_BAD_INPUT;
     return add_item(&model->joints, spec, sizeof *spec, offsetof(struct hobe_joint, beam), 3, err);
+}
+
+enum hobe_status hobe_model_spring(hobe_model *model, const struct hobe_spring *spec,
+                                   struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err) || spring_check(spec, err))
+        return HOBE_BAD_INPUT;
+    for (size_t i = 0; spec->name && i < model->springs.count; i++) {
+        const char *other = model_spring(model, i)->spec.name;
+        if (other && !strcmp(other, spec->name))
+            return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                             "there are two springs \"%s\"; give each its own name", spec->name);
+    }
+    return add_item(&model->springs, &(struct spring){.spec = *spec}, sizeof(struct spring),
+                    offsetof(struct spring, spec.beam), 3, err);
 }
 
 enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *spec,

@@ -81,8 +81,9 @@ struct schedule {
 
 struct hobe_model {
     struct list beams, clamps, forces, moments, joins, joints; /* struct beam, hobe_clamp, ... */
-    struct list motions, gravities; /* struct hobe_motion; struct gravity, with a history */
-    struct list ties;               /* struct tie (constraint.h), of corners and joints */
+    struct list springs, motions;                              /* struct spring, hobe_motion */
+    struct list gravities;                                     /* struct gravity, with a history */
+    struct list ties; /* struct tie (constraint.h), of corners and joints */
     double gravity[3];
     const char *gravity_where;
     struct hobe_spin spin; /* with a unit axis */

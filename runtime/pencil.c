@@ -8,6 +8,7 @@
 #include "load.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <math.h>
@@ -27,6 +28,7 @@ void pencil_tangent(struct pencil *s, double factor, double *Ax)
     const struct instant instant = solution_instant(s->state);
     assemble(s->model, s->u, s->r, &K);
     constraint_add(s->model, s->u, &instant, s->r, &K);
+    spring_add(s->model, s->u, &instant, s->r, &K);
     load_subtract(s->model, s->u, &instant, factor, s->r, &K);
 }
 

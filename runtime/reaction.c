@@ -7,6 +7,7 @@
 #include "mass.h"
 #include "numbering.h"
 #include "solution.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <stdio.h>
@@ -31,6 +32,8 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
     const struct instant instant = solution_instant(solution);
     assemble(model, solution->u, r, NULL);
     constraint_add(model, solution->u, &instant, r, NULL);
+    spring_add(model, solution->u, &instant, r, NULL);
+    damping_add(model, solution->u, &instant, r, NULL);
     load_subtract(model, solution->u, &instant, solution->info.load, r, NULL);
     if (solution->v) {
         damping_add(model, solution->u, &instant, r, NULL);
