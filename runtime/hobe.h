@@ -567,8 +567,9 @@ enum hobe_status hobe_model_gravity_history(hobe_model *, const char *where, con
 
 /* The scene as seen in a frame that turns steadily about a line: all supports turn with it, and
  * loads keep their direction in it.  In equilibrium there F(q) = Q + w^2 M P q, the centrifugal
- * force on the distance from the axis, P = I - e e': the load factor of statics scales w^2.  About
- * it vibrations feel Coriolis' force, too (hobe_modal). */
+ * force on the distance from the axis, P = I - e e': the load factor of statics scales w^2.
+ * Vibration about it (hobe_modal) and motion feel Coriolis' force, too; velocities and momenta are
+ * those in the frame. */
 struct hobe_spin {
     const char *where;
     double axis[3];  /* e, of any length, global axes */

@@ -656,8 +656,9 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      "The scene as seen in a frame that turns steadily with all its supports: its equilibrium "
      "bears the centrifugal force w^2 M P q, P the projection across the axis, which moves with "
      "what it acts on.  Forces keep their direction in the turning frame.  The load factor of "
-     "statics and paths scales w^2.  `hobe.modal` about such an equilibrium minds Coriolis' force; "
-     "critical speeds of a shaft are w sqrt(factor) of `hobe.buckling`.",
+     "statics and paths scales w^2.  Vibration about such an equilibrium and motion feel Coriolis' "
+     "force, too; velocities are those in the turning frame.  Critical speeds of a shaft are w "
+     "sqrt(factor) of `hobe.buckling`.",
      &spin_schema, NULL},
     {"motion", motion, "hobe.motion{[\"beam\",] velocity =, angular_velocity =, about =}",
      "Velocities with which `hobe.dynamic` starts: those of a rigid motion.  Of several that speak "
