@@ -20,7 +20,8 @@ enum hobe_lua_kind {
     ITEM_SPIN,
     ITEM_JOIN,
     ITEM_JOINT,
-    ITEM_MOTION
+    ITEM_MOTION,
+    ITEM_SPRING
 };
 
 struct hobe_lua_gravity {
@@ -43,6 +44,7 @@ struct hobe_lua_item {
         struct hobe_join join;
         struct hobe_joint joint;
         struct hobe_motion motion;
+        struct hobe_spring spring;
     } as;
 };
 

@@ -87,6 +87,8 @@ static enum hobe_status add_item(hobe_model *model, const struct hobe_lua_item *
         return hobe_model_join(model, &item->as.join, err);
     case ITEM_JOINT:
         return hobe_model_joint(model, &item->as.joint, err);
+    case ITEM_SPRING:
+        return hobe_model_spring(model, &item->as.spring, err);
     case ITEM_MOTION:
         return hobe_model_motion(model, &item->as.motion, err);
     }
