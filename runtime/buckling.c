@@ -43,14 +43,15 @@ static void loads_at(struct pencil *s)
 static enum hobe_status find_rate(struct pencil *s, double *rate, struct hobe_error *err)
 {
     const hobe_model *model = s->model;
-    long column;
     loads_at(s);
     for (long v = 0; v < model->vectors; v++)
         for (int a = 0; a < 3 && model->unknown[v] >= 0; a++)
             s->product[3 * model->unknown[v] + a] = s->r[3 * v + a];
-    enum hobe_status status = hobe_linsolve_factor(model->solver, s->Ax, s->scale, &column, err);
+    enum hobe_status status = model_failure(model, err);
     if (!status)
-        status = hobe_linsolve_solve(model->solver, s->product, err);
+        status = pencil_factor(s, s->Ax, s->scale, err);
+    if (!status)
+        status = pencil_divide(s, s->product, err);
     for (long v = 0; v < model->vectors; v++)
         for (int a = 0; a < 3 && model->unknown[v] >= 0; a++)
             rate[3 * v + a] = s->product[3 * model->unknown[v] + a];

@@ -79,7 +79,8 @@ static enum hobe_status add_item(hobe_model *model, const struct hobe_lua_item *
     case ITEM_MOMENT:
         return hobe_model_moment(model, &item->as.moment, err);
     case ITEM_GRAVITY:
-        return hobe_model_gravity(model, item->as.gravity.where, item->as.gravity.value, err);
+        return hobe_model_gravity_history(model, item->as.gravity.where, item->as.gravity.value,
+                                          item->as.gravity.history, err);
     case ITEM_SPIN:
         return hobe_model_spin(model, &item->as.spin, err);
     case ITEM_JOIN:

@@ -83,6 +83,8 @@ void hobe_model_free(hobe_model *model)
     free_named(&model->motions, sizeof(struct hobe_motion), offsetof(struct hobe_motion, beam), 1);
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
     free_named(&model->joints, sizeof(struct hobe_joint), offsetof(struct hobe_joint, beam), 3);
+    hobe_free(model->gravities.item);
+
     for (size_t i = 0; i < model->springs.count; i++)
         tie_free(&model_spring(model, i)->tie);
     free_named(&model->springs, sizeof(struct spring), offsetof(struct spring, spec.beam), 3);
@@ -261,6 +263,10 @@ enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *sp
         return HOBE_BAD_INPUT;
     if (not_finite(spec->value, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where, "a force must be finite (N)");
+    if (spec->function && (spec->follower || length3(spec->value) > 0))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a force that is a function gives its global axes itself; leave out "
+                         "follower and any other value");
     return add_item(&model->forces, spec, sizeof *spec, offsetof(struct hobe_force, beam), 1, err);
 }
 
@@ -296,17 +302,26 @@ enum hobe_status hobe_model_motion(hobe_model *model, const struct hobe_motion *
                     err);
 }
 
-enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const double g[3],
-                                    struct hobe_error *err)
+enum hobe_status hobe_model_gravity_history(hobe_model *model, const char *where, const double g[3],
+                                            hobe_drive *history, struct hobe_error *err)
 {
     if (check_open(model, where, err))
         return HOBE_BAD_INPUT;
     if (not_finite(g, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, where, "gravity must be finite (m/s^2)");
-    for (int a = 0; a < 3; a++)
-        model->gravity[a] += g[a];
     model->gravity_where = where;
-    return HOBE_OK;
+    for (int a = 0; a < 3 && !history; a++)
+        model->gravity[a] += g[a];
+    struct gravity *gravity = history ? list_append(&model->gravities, sizeof *gravity, err) : NULL;
+    if (gravity)
+        *gravity = (struct gravity){{g[0], g[1], g[2]}, history, where};
+    return history && !gravity ? HOBE_NO_MEMORY : HOBE_OK;
+}
+
+enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const double g[3],
+                                    struct hobe_error *err)
+{
+    return hobe_model_gravity_history(model, where, g, NULL, err);
 }
 
 enum hobe_status hobe_model_spin(hobe_model *model, const struct hobe_spin *spec,

@@ -396,6 +396,17 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     return pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err);
 }
 
+enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err)
+{
+    if (s->K.layout == COLUMNS)
+        return HOBE_OK;
+    hobe_free(s->K.value);
+    s->K.value = NULL;
+    if (pattern_columns(s->model, err))
+        return HOBE_NO_MEMORY;
+    return pattern_matrix(s->model, COLUMNS, &s->K, err);
+}
+
 void solver_close(struct solver *s)
 {
     hobe_free(s->u);

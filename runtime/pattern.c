@@ -285,6 +285,19 @@ void pattern_clear(const struct hobe_model *model, const struct matrix *matrix)
         memset(matrix->value + i, 0, (size - i < share ? size - i : share) * sizeof(double));
 }
 
+void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double *fronts)
+{
+    const struct pattern *p = &model->pattern;
+    pattern_clear(model, &(struct matrix){FRONTS, fronts});
+    for (long j = 0; j < p->blocks; j++)
+        for (long b = p->start[j]; b < p->start[j + 1]; b++) {
+            const long at = fronts_place(model->fronts, p->row[b], j);
+            for (int c = 0; at >= 0 && c < 3; c++)
+                memcpy(fronts + at + c * model->stride[FRONTS][j],
+                       Ax + pattern_scalar(p, j, b, 0, c), 3 * sizeof *Ax);
+        }
+}
+
 static void scale_columns(const struct pattern *p, const double *Ax, double *scale)
 {
     for (long j = 0; j < 3 * p->blocks; j++)
