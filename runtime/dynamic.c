@@ -14,6 +14,10 @@
 /* The velocities of the start may be mended by so much, relatively. */
 static const double MENDED = 1e-6;
 
+/* And by this of the scene's size in the whole time, however slow it starts: the rounding of a
+ * drive's rate, which is found by differences. */
+static const double ROUNDED = 1e-9;
+
 /* The constraints hold at the start to this, weighed: what a result of statics leaves. */
 static const double CLOSED = 1e-8;
 
@@ -191,7 +195,8 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
     status = settle(g, &changed, err);
     if (status)
         return status;
-    if (changed > MENDED * speed) {
+    const double slow = g->size / (run->options.to - g->now.time);
+    if (changed > fmax(MENDED * speed, ROUNDED * slow)) {
         for (long i = 0; i < 3 * g->s.model->moving; i++)
             g->now.v[i] -= g->w[i];
         settle_rate(g, &g->now, g->s.u, g->force, rate);
