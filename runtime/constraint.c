@@ -240,21 +240,18 @@ struct state {
     double lambda[TIE_CONSTRAINTS];
 };
 
-/* moved = the places' r, y, z of a field of vectors, NULL: zero. */
-static void read_places(const struct tie *tie, const double *u, double moved[TIE_VECTORS][3])
+void tie_motion(const struct tie *tie, const double *field, double moved[TIE_VECTORS][3])
 {
     memset(moved, 0, sizeof(double[TIE_VECTORS][3]));
-    for (int t = 0; u && t < tie->terms; t++) {
-        const struct tie_term *term = tie->term + t;
-        add(term->weight, u + 3 * tie->vector[term->entry], moved[term->what]);
-    }
+    for (const struct tie_term *t = tie->term; field && t < tie->term + tie->terms; t++)
+        add(t->weight, field + 3 * tie->vector[t->entry], moved[t->what]);
 }
 
 static void read_state(const struct tie *tie, const double *u, struct state *s)
 {
     double moved[TIE_VECTORS][3];
     *s = (struct state){0};
-    read_places(tie, u, moved);
+    tie_motion(tie, u, moved);
     for (int k = 0; u && k < tie->constraints; k++)
         s->lambda[k] = u[3 * tie->multiplier + k];
     for (int a = 0; a < 3; a++)
@@ -404,6 +401,17 @@ static void hessian(const struct constraint *c, const struct state *s,
                     H[i][j][a][b] = H[j][i][b][a];
 }
 
+double tie_measure(const struct tie *tie, const struct constraint *c, const double *u,
+                   double G[TIE_VECTORS][3], double (*H)[TIE_VECTORS][3][3])
+{
+    struct state s;
+    read_state(tie, u, &s);
+    gradient(c, &s, G);
+    if (H)
+        hessian(c, &s, H);
+    return value(c, tie, &s);
+}
+
 /* ---- assembly -------------------------------------------------------------------------------- */
 
 /* Adds to scalar (a, b) of the block of entries i and j, where the layout of K has it. */
@@ -416,19 +424,31 @@ static void add_at(const struct hobe_model *model, const struct tie *tie, int i,
             amount;
 }
 
-/* The tangent gets H between two terms. */
-static void add_curvature(const struct hobe_model *model, const struct tie *tie,
-                          const struct constraint *c, const struct state *s, const struct matrix *K)
+void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECTORS][3], double *f)
 {
-    double H[TIE_VECTORS][TIE_VECTORS][3][3];
-    const struct constraint sum = combine(tie, c, s->lambda);
-    hessian(&sum, s, H);
+    for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
+        add(factor * t->weight, G[t->what], f + 3 * tie->vector[t->entry]);
+}
+
+void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
+                     double H[TIE_VECTORS][TIE_VECTORS][3][3], const struct matrix *K)
+{
     for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
         for (const struct tie_term *v = tie->term; v < tie->term + tie->terms; v++)
             for (int a = 0; a < 3; a++)
                 for (int b = 0; b < 3; b++)
                     add_at(model, tie, t->entry, a, v->entry, b,
                            t->weight * v->weight * H[t->what][v->what][a][b], K);
+}
+
+/* The curvature of the constraints c, times their multipliers. */
+static void add_curvature(const struct hobe_model *model, const struct tie *tie,
+                          const struct constraint *c, const struct state *s, const struct matrix *K)
+{
+    double H[TIE_VECTORS][TIE_VECTORS][3][3];
+    const struct constraint sum = combine(tie, c, s->lambda);
+    hessian(&sum, s, H);
+    tie_add_tangent(model, tie, H, K);
 }
 
 /* And the constraints' derivatives J beside their multipliers, with 1 on spare ones. */
@@ -465,8 +485,7 @@ static void add_tie(const struct hobe_model *model, const struct tie *tie, const
         }
         gradient(c[0] + k, &s, J[k]);
         f[multiplier] += value(c[0] + k, tie, &s);
-        for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
-            add(t->weight * s.lambda[k], J[k][t->what], f + 3 * tie->vector[t->entry]);
+        tie_add_force(tie, s.lambda[k], (const double(*)[3])J[k], f);
     }
     if (K) {
         add_curvature(model, tie, c[0], &s, K);
@@ -494,7 +513,7 @@ static void read_motion(const struct tie *tie, const double *u, const double *v,
     double moved[TIE_VECTORS][3];
     memset(m, 0, sizeof *m);
     read_state(tie, u, &s);
-    read_places(tie, v, moved);
+    tie_motion(tie, v, moved);
     memcpy(m->D[0], s.D, sizeof s.D);
     memcpy(m->d[0], s.d, sizeof s.d);
     for (int a = 0; a < 3; a++)

@@ -110,6 +110,20 @@ enum hobe_status tie_reaction(const struct tie *tie, const double *u, const stru
 enum hobe_status tie_power(const struct tie *tie, const double *u, const struct instant *instant,
                            double *power, struct hobe_error *err);
 
+/* What a constraint measures between the places of a tie in state u, NULL: the reference; the tie
+ * need not have it.  G = its derivatives by r, y, z of both places, H the second ones unless NULL.
+ */
+double tie_measure(const struct tie *tie, const struct constraint *c, const double *u,
+                   double G[TIE_VECTORS][3], double (*H)[TIE_VECTORS][3][3]);
+
+/* moved = r, y, z of both places in a field on the vectors, NULL: zero. */
+void tie_motion(const struct tie *tie, const double *field, double moved[TIE_VECTORS][3]);
+
+/* f += factor G and K += H, given on r, y, z of both places. */
+void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECTORS][3], double *f);
+void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
+                     double H[TIE_VECTORS][TIE_VECTORS][3][3], const struct matrix *K);
+
 /* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL. */
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);

@@ -290,15 +290,40 @@ const struct hobe_joint *drive_joint(const struct hobe_model *model)
     return NULL;
 }
 
+double drive_factor(const struct hobe_model *model, hobe_drive *history, double t,
+                    const char *where)
+{
+    struct hobe_error err;
+    double d[3] = {1};
+    if (!history || !hobe_drive_at(history, t, d, &err))
+        return d[0];
+    model_fail(model, where, &err);
+    return NAN;
+}
+
+/* *next is not after the next point of a drive, which may be NULL. */
+static void stop_at(const hobe_drive *drive, double t, double *next)
+{
+    if (drive)
+        *next = fmin(*next, hobe_drive_next(drive, t));
+}
+
 double drive_next(const struct hobe_model *model, double t)
 {
+    const struct hobe_joint *joint = model->joints.item;
+    const struct hobe_force *force = model->forces.item;
+    const struct hobe_moment *moment = model->moments.item;
+    const struct gravity *gravity = model->gravities.item;
     double next = INFINITY;
     for (size_t i = 0; i < model->joints.count; i++) {
-        const struct hobe_joint *joint = (const struct hobe_joint *)model->joints.item + i;
-        const hobe_drive *const drive[2] = {joint->angle, joint->position};
-        for (int d = 0; d < 2; d++)
-            if (drive[d])
-                next = fmin(next, hobe_drive_next(drive[d], t));
+        stop_at(joint[i].angle, t, &next);
+        stop_at(joint[i].position, t, &next);
     }
+    for (size_t i = 0; i < model->forces.count; i++)
+        stop_at(force[i].history, t, &next);
+    for (size_t i = 0; i < model->moments.count; i++)
+        stop_at(moment[i].history, t, &next);
+    for (size_t i = 0; i < model->gravities.count; i++)
+        stop_at(gravity[i].history, t, &next);
     return next;
 }

@@ -413,11 +413,30 @@ struct hobe_clamp {
     int free_warping; /* 0: every vector of the node is held.  1: r and the slopes y, z are, so that
                          the section stays in place but may warp, and stretch along the axis */
 };
+
+/* F[3], N, global axes: the caller's force on a place of a beam at the time t, s, in the position
+ * x[3], m, with the velocity v[3], m/s, which is 0 in statics.  Smooth; or it returns a status with
+ * err (which may be NULL) set, which ends the solve. */
+typedef enum hobe_status hobe_force_function(void *context, double t, const double x[3],
+                                             const double v[3], double F[3],
+                                             struct hobe_error *err);
+
+/* Its derivatives G[0][a][c] = dF_a/dx_c, N/m, and G[1][a][c] = dF_a/dv_c, N s/m.  Without them
+ * they are central differences over steps of 6e-6 of the beam's length, and of the velocity and a
+ * length per s. */
+typedef enum hobe_status hobe_force_derivative(void *context, double t, const double x[3],
+                                               const double v[3], double G[2][3][3],
+                                               struct hobe_error *err);
+
 struct hobe_force {
     const char *where, *beam;
     double at;
-    double value[3]; /* N, global axes */
-    int follower;    /* 1: the force turns with the section from that initial direction */
+    double value[3];     /* N, global axes */
+    int follower;        /* 1: the force turns with the section from that initial direction */
+    hobe_drive *history; /* factor of time; NULL: 1.  It outlives the model, as all drives do */
+    hobe_force_function *function;     /* in place of value, which is {0,0,0}, and not follower */
+    hobe_force_derivative *derivative; /* of it; NULL: by differences */
+    void *context;                     /* of both */
 };
 /* Conservative: with M = m_x e_x + m_y e_y + m_z e_z on the beam's reference axes, its potential is
  * -m_x (phi_x(r_y) + phi_x(r_z))/2 - m_y phi_y(r_z) - m_z phi_z(r_y), phi_a(s) the angle of the
@@ -425,7 +444,8 @@ struct hobe_force {
 struct hobe_moment {
     const char *where, *beam;
     double at;
-    double value[3]; /* N m about the global axes */
+    double value[3];     /* N m about the global axes */
+    hobe_drive *history; /* as of forces */
 };
 struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle */
     const char *where, *beam[2];
@@ -498,6 +518,33 @@ struct hobe_motion {
 /* "revolute" etc.; NULL for no kind. */
 const char *hobe_joint_name(enum hobe_joint_kind kind);
 
+/* What a spring acts on: the distance of its places; the angle by which its second part has turned
+ * against the first about an axis, from -pi to pi: whole turns are not counted; the displacement of
+ * the second place against the first, along the global axes in the reference, which move with the
+ * first part: an elastic support, or a joint that gives. */
+enum hobe_spring_kind { HOBE_SPRING_LENGTH, HOBE_SPRING_TORSION, HOBE_SPRING_BUSHING };
+
+/* A spring and damper without mass between places anywhere on two beams, or between the ground and
+ * one: the force k (l - l0) + c dl/dt along the line of its places, the moment k (a - a0) + c da/dt
+ * about its axis, or three forces, on both places in opposite directions.  A spring of kind length
+ * has no direction where its places coincide, nor a bushing between two beams where they do not.
+ * Directions belong to a beam as those of joints do (above).  Springs hold a scene as supports do,
+ * along their extensions; statics do not scale them by the load factor.  */
+struct hobe_spring {
+    const char *where;
+    const char *beam[2]; /* beam[1] NULL: between the ground and beam[0] */
+    const char *name;    /* by which hobe_solution_spring knows it, or NULL */
+    double at[2];
+    enum hobe_spring_kind kind;
+    double
+        stiffness[3];  /* k >= 0, N/m; N m/rad; of a bushing along x, y, z, else the first alone */
+    double damping[3]; /* c >= 0, N s/m; N m s/rad; likewise; at rest there is none */
+    double length;     /* l0 > 0 of a length, m; 0: the distance in the reference */
+    double angle;      /* a0 of torsion, rad, from the reference */
+    double axis[3];    /* of torsion: global, in the reference; it moves with the first part */
+    double to[3];      /* of a length to the ground: its place there, m */
+};
+
 hobe_model *hobe_model_new(struct hobe_error *err);
 void hobe_model_free(hobe_model *model);
 
@@ -510,9 +557,13 @@ enum hobe_status hobe_model_moment(hobe_model *, const struct hobe_moment *, str
 enum hobe_status hobe_model_join(hobe_model *, const struct hobe_join *, struct hobe_error *);
 enum hobe_status hobe_model_motion(hobe_model *, const struct hobe_motion *, struct hobe_error *);
 enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struct hobe_error *);
+enum hobe_status hobe_model_spring(hobe_model *, const struct hobe_spring *, struct hobe_error *);
 /* Gravity, m/s^2 in global axes, on every beam; repeated calls add up. */
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
                                     struct hobe_error *);
+/* The same times a factor of time; NULL: 1. */
+enum hobe_status hobe_model_gravity_history(hobe_model *, const char *where, const double g[3],
+                                            hobe_drive *history, struct hobe_error *);
 
 /* The scene as seen in a frame that turns steadily about a line: all supports turn with it, and
  * loads keep their direction in it.  In equilibrium there F(q) = Q + w^2 M P q, the centrifugal
@@ -861,6 +912,18 @@ struct hobe_reaction {
 };
 enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const char *name,
                                         struct hobe_reaction *reaction, struct hobe_error *err);
+
+/* What a spring does, its damper aside. */
+struct hobe_spring_state {
+    enum hobe_spring_kind kind;
+    double extension[3]; /* the length, m; the angle, rad; or three displacements, m */
+    double force[3]; /* that pulls both places together, N; the moment that turns the second part
+                        back, N m; or three forces that push the second place back, N */
+};
+
+/* Of the spring called name; HOBE_UNKNOWN where there is none. */
+enum hobe_status hobe_solution_spring(const hobe_solution *solution, const char *name,
+                                      struct hobe_spring_state *state, struct hobe_error *err);
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);

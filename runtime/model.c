@@ -9,6 +9,7 @@
 #include "load.h"
 #include "numbering.h"
 #include "pattern.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <stdio.h>
@@ -82,6 +83,11 @@ void hobe_model_free(hobe_model *model)
     free_named(&model->motions, sizeof(struct hobe_motion), offsetof(struct hobe_motion, beam), 1);
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
     free_named(&model->joints, sizeof(struct hobe_joint), offsetof(struct hobe_joint, beam), 3);
+    hobe_free(model->gravities.item);
+
+    for (size_t i = 0; i < model->springs.count; i++)
+        tie_free(&model_spring(model, i)->tie);
+    free_named(&model->springs, sizeof(struct spring), offsetof(struct spring, spec.beam), 3);
     for (size_t i = 0; i < model->ties.count; i++)
         tie_free(model_tie(model, i));
     hobe_free(model->ties.item);
@@ -235,6 +241,21 @@ enum hobe_status hobe_model_joint(hobe_model *model, const struct hobe_joint *sp
     return add_item(&model->joints, spec, sizeof *spec, offsetof(struct hobe_joint, beam), 3, err);
 }
 
+enum hobe_status hobe_model_spring(hobe_model *model, const struct hobe_spring *spec,
+                                   struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err) || spring_check(spec, err))
+        return HOBE_BAD_INPUT;
+    for (size_t i = 0; spec->name && i < model->springs.count; i++) {
+        const char *other = model_spring(model, i)->spec.name;
+        if (other && !strcmp(other, spec->name))
+            return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                             "there are two springs \"%s\"; give each its own name", spec->name);
+    }
+    return add_item(&model->springs, &(struct spring){.spec = *spec}, sizeof(struct spring),
+                    offsetof(struct spring, spec.beam), 3, err);
+}
+
 enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *spec,
                                   struct hobe_error *err)
 {
@@ -242,6 +263,10 @@ enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *sp
         return HOBE_BAD_INPUT;
     if (not_finite(spec->value, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where, "a force must be finite (N)");
+    if (spec->function && (spec->follower || length3(spec->value) > 0))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a force that is a function gives its global axes itself; leave out "
+                         "follower and any other value");
     return add_item(&model->forces, spec, sizeof *spec, offsetof(struct hobe_force, beam), 1, err);
 }
 
@@ -277,17 +302,26 @@ enum hobe_status hobe_model_motion(hobe_model *model, const struct hobe_motion *
                     err);
 }
 
-enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const double g[3],
-                                    struct hobe_error *err)
+enum hobe_status hobe_model_gravity_history(hobe_model *model, const char *where, const double g[3],
+                                            hobe_drive *history, struct hobe_error *err)
 {
     if (check_open(model, where, err))
         return HOBE_BAD_INPUT;
     if (not_finite(g, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, where, "gravity must be finite (m/s^2)");
-    for (int a = 0; a < 3; a++)
-        model->gravity[a] += g[a];
     model->gravity_where = where;
-    return HOBE_OK;
+    for (int a = 0; a < 3 && !history; a++)
+        model->gravity[a] += g[a];
+    struct gravity *gravity = history ? list_append(&model->gravities, sizeof *gravity, err) : NULL;
+    if (gravity)
+        *gravity = (struct gravity){{g[0], g[1], g[2]}, history, where};
+    return history && !gravity ? HOBE_NO_MEMORY : HOBE_OK;
+}
+
+enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const double g[3],
+                                    struct hobe_error *err)
+{
+    return hobe_model_gravity_history(model, where, g, NULL, err);
 }
 
 enum hobe_status hobe_model_spin(hobe_model *model, const struct hobe_spin *spec,

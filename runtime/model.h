@@ -55,6 +55,13 @@ struct workspace {                               /* of one batch, large enough f
     hobe_lanes *q0, *u, *f, *K, *more, *scratch; /* more: a second K */
 };
 
+/* Gravity that changes in time. */
+struct gravity {
+    double g[3]; /* m/s^2 */
+    hobe_drive *history;
+    const char *where;
+};
+
 /* Runs of neighbouring batches in the order of assembly: those of one colour share no vector, so
  * that threads may take them at once, and sums are the same to the last digit for any number of
  * threads.  The last colour is of those left over, one after the other. */
@@ -74,7 +81,8 @@ struct schedule {
 
 struct hobe_model {
     struct list beams, clamps, forces, moments, joins, joints; /* struct beam, hobe_clamp, ... */
-    struct list motions;                                       /* struct hobe_motion */
+    struct list springs, motions;                              /* struct spring, hobe_motion */
+    struct list gravities;                                     /* struct gravity, with a history */
     struct list ties; /* struct tie (constraint.h), of corners and joints */
     double gravity[3];
     const char *gravity_where;

@@ -11,6 +11,7 @@
 #include "mass.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 
 #include <float.h>
 #include <math.h>
@@ -106,9 +107,10 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
     if (K && m->mass_alone)
         pattern_clear(s->model, K);
     constraint_add(s->model, s->u, &instant, s->r, K);
+    spring_add(s->model, s->u, &instant, s->r, stiffness);
+    damping_add(s->model, s->u, &instant, s->r, stiffness);
     load_subtract(s->model, s->u, &instant, factor, s->r, stiffness);
-    if (instant.v)
-        damping_add(s->model, s->u, &instant, s->r, stiffness);
+
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
@@ -436,7 +438,7 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
 
 hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err)
 {
-    s->info.energy = assemble_energy(s->model, s->u);
+    s->info.energy = assemble_energy(s->model, s->u) + spring_energy(s->model, s->u);
     s->info.seconds = hobe_seconds() - started;
     return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
 }

@@ -7,6 +7,7 @@
 #include "mass.h"
 #include "numbering.h"
 #include "solution.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <stdio.h>
@@ -31,11 +32,11 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
     const struct instant instant = solution_instant(solution);
     assemble(model, solution->u, r, NULL);
     constraint_add(model, solution->u, &instant, r, NULL);
+    spring_add(model, solution->u, &instant, r, NULL);
+    damping_add(model, solution->u, &instant, r, NULL);
     load_subtract(model, solution->u, &instant, solution->info.load, r, NULL);
-    if (solution->v) {
-        damping_add(model, solution->u, &instant, r, NULL);
+    if (solution->w)
         mass_force(model, 1, solution->w, r);
-    }
     for (int v = 0; v < beam->kernel->vectors; v++) {
         const struct hobe_vector *is = beam->kernel->vector + v;
         const long number = model_vector(model, beam, e, v);

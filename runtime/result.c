@@ -71,6 +71,16 @@ static enum hobe_status probe_modes(struct around *p, double phi[HOBE_PROBES][HO
     return status;
 }
 
+/* det F at the point of phi: that of dr/d(x,y,z) beside the reference's. */
+static double volume(const struct amplitudes *reference, const struct amplitudes *now, int modes,
+                     const double (*phi)[4])
+{
+    double r[3], G0[3][3], G[3][3];
+    amplitudes_field(reference, modes, phi, r, G0);
+    amplitudes_field(now, modes, phi, r, G);
+    return determinant((const double(*)[3])G) / determinant((const double(*)[3])G0);
+}
+
 /* The least det F over the stations of a beam, where that is less than *smallest. */
 static enum hobe_status smallest_volume(const hobe_model *model, const struct beam *beam,
                                         const double *u, double *smallest, struct hobe_error *err)
@@ -79,6 +89,7 @@ static enum hobe_status smallest_volume(const hobe_model *model, const struct be
     const int varies = hobe_section_varies(section);
     double phi[HOBE_PROBES][HOBE_MAX_MODES][4];
     struct around p;
+    struct amplitudes reference, now;
     for (int e = 0; e < beam->spec.elements; e++) {
         const struct hobe_invariants *inv = hobe_element_invariants(beam_law(beam, e));
         for (int g = 0; g < inv->stations; g++) {
@@ -88,12 +99,13 @@ static enum hobe_status smallest_volume(const hobe_model *model, const struct be
                 varies || (e == 0 && g == 0) ? probe_modes(&p, phi, err) : HOBE_OK;
             if (status)
                 return status;
-            for (int c = 0; c < section->probes; c++) {
-                double F[3][3];
-                memcpy(p.phi, phi[c], sizeof p.phi);
-                around_gradient(&p, F);
-                *smallest = fmin(*smallest, determinant((const double(*)[3])F));
-            }
+            around_amplitudes(&p, p.q0, &reference);
+            for (int i = 0; i < 3 * beam->kernel->vectors; i++)
+                p.u[i] += p.q0[i];
+            around_amplitudes(&p, p.u, &now);
+            for (int c = 0; c < section->probes; c++)
+                *smallest = fmin(*smallest, volume(&reference, &now, beam->kernel->modes,
+                                                   (const double(*)[4])phi[c]));
         }
     }
     return HOBE_OK;

@@ -85,9 +85,11 @@ static enum hobe_status from_forces(const hobe_solution *solution, const struct 
     enum hobe_status status =
         loads ? assemble_element(model, beam, e, solution->u, f, err) : HOBE_NO_MEMORY;
     if (!status) {
-        load_inside(model, solution->u, solution->info.load, beam, e, loads);
+        const struct instant instant = solution_instant(solution);
+        load_inside(model, solution->u, &instant, solution->info.load, beam, e, loads);
         if (solution->w)
             mass_element_force(model, beam, e, MASS_ISOTROPIC(-1), solution->w, loads);
+        status = model_failure(model, err);
         for (int v = 0; v < p->kernel->vectors; v++)
             for (int a = 0; a < 3; a++) {
                 const double load = loads[3 * model_vector(model, beam, e, v) + a];
