@@ -81,6 +81,8 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
                                                                          : DEFAULT_ITERATIONS};
     set_parameters(g, options->rho > 0 ? options->rho : DEFAULT_RHO);
     enum hobe_status status = solver_open(&g->s, model, &(struct hobe_newton){0}, err);
+    if (!status && model->spun) /* Coriolis' force has a skew matrix */
+        status = solver_use_columns(&g->s, err);
     if (status)
         return status;
     double **field[] = {&g->now.u, &g->now.v, &g->now.w, &g->now.a, &g->v,

@@ -106,8 +106,8 @@ static struct hobe_energies measure(struct genalpha *g, const struct account *ac
     const hobe_model *model = g->s.model;
     struct hobe_energies e = {.time = g->now.time,
                               .kinetic = mass_product(model, g->now.v, g->now.v) / 2,
-                              .strain =
-                                  assemble_energy(model, g->now.u) + spring_energy(model, g->now.u),
+                              .strain = assemble_energy(model, g->now.u) +
+                                        spring_energy(model, g->now.u),
                               .loads = account->loads,
                               .drives = account->drives,
                               .damped = account->damped};

@@ -422,7 +422,7 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
     for (size_t i = 0; i < model->moments.count; i++)
         subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, instant,
                         factor, r, K);
-    spin_subtract(model, u, factor, r, K);
+    spin_subtract(model, u, instant, factor, r, K);
 }
 
 /* Whether a load acts inside an element, between its ends. */
@@ -442,7 +442,7 @@ void load_inside(const struct hobe_model *model, const double *u, const struct i
     for (int a = 0; a < 3; a++)
         g[a] += model->gravity[a];
     add_weight(model, beam, e, g, factor, f);
-    spin_inside(model, u, factor, beam, e, f);
+    spin_inside(model, u, instant, factor, beam, e, f);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         if (is_inside(model, force->beam, force->at, beam, e))
