@@ -11,8 +11,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The velocities of the start may be mended by so much, relatively. */
-static const double MENDED = 1e-6;
+/* The velocities of the start may be mended by so much, relatively, and by what would move the
+ * scene by so much of its size to the end: drives are differentiated with rounding. */
+static const double MENDED = 1e-6, TINY = 1e-9;
 
 /* The constraints hold at the start to this, weighed: what a result of statics leaves. */
 static const double CLOSED = 1e-8;
@@ -193,7 +194,7 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
     status = settle(g, &changed, err);
     if (status)
         return status;
-    if (changed > MENDED * speed) {
+    if (changed > MENDED * speed + TINY * g->size / (run->options.to - g->now.time)) {
         memcpy(g->now.v, g->v, size);
         settle_rate(g, &g->now, g->s.u, g->force, rate);
         return fail_broken(g, rate, speed == 0 ? JUMP : BROKEN, err);
