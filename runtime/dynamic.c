@@ -371,17 +371,12 @@ static enum hobe_status move(struct run *run, struct hobe_error *err)
 
 /* ---- the verb ------------------------------------------------------------------------------- */
 
-static enum hobe_status check_options(const hobe_model *model, const struct hobe_dynamic *o,
-                                      struct hobe_error *err)
+static enum hobe_status check_options(const struct hobe_dynamic *o, struct hobe_error *err)
 {
     if (!(o->step > 0) && !(o->accuracy > 0))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a motion needs step (s), or accuracy, relative to the scene's size, that "
                          "chooses the steps");
-    if (model->arm)
-        return hobe_fail(err, HOBE_BAD_INPUT, model->spin.where,
-                         "hobe.spin is for equilibria and modes in a turning frame; in time the "
-                         "scene turns itself: leave it out, and give hobe.motion or a drive");
     if (!isfinite(o->to) || !isfinite(o->step) || !(o->rho <= 1))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a motion needs a finite end and step, and rho up to 1, got %g, %g and %g",
@@ -430,7 +425,7 @@ enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *opti
     *history = NULL;
     enum hobe_status status = hobe_model_build(model, err);
     if (!status)
-        status = check_options(model, options, err);
+        status = check_options(options, err);
     if (!status)
         status = mass_check(model, "motion in time", err);
     if (status)
