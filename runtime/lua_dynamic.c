@@ -280,10 +280,8 @@ static int solve_dynamic(lua_State *L)
     if (context->program && context->folder)
         write_rows(context, history->history);
     if (options.dynamic.rho > 0.9)
-        hobe_lua_note(L,
-                      "rho = %f leaves fast vibrations and errors to grow; motions with joints "
-                      "may fail above 0.9",
-                      options.dynamic.rho);
+        hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
+                         "motions with joints may fail");
     return 1;
 }
 
