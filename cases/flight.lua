@@ -25,7 +25,7 @@ end
 
 -- The largest changes over the flight, relative.
 local function fly(rho, steps)
-  local d = hobe.dynamic(scene, { to = time, step = time / steps, rho = rho, store = time / 50 })
+  local d = hobe.dynamic(scene, { to = time, step = time / steps, rho = rho, store = time / 250 })
   local first, lost = d:energies(1), { momentum = 0, angular = 0, energy = 0 }
   local zero = {0, 0, 0}
   for i = 2, d.count do
