@@ -15,7 +15,7 @@
 struct mark {
     long vectors, states; /* of the model; in this record */
     struct stops stops;
-    double wanted, error, smallest_step;
+    double wanted, error, largest, smallest_step;
     double time, step, begin; /* of genalpha_state */
     long taken;
     double loads, drives, damped, start; /* of the account */
@@ -33,6 +33,7 @@ static struct mark mark_of(const struct run *run)
                          .stops = run->stops,
                          .wanted = run->wanted,
                          .error = run->error,
+                         .largest = run->largest,
                          .smallest_step = run->options.smallest_step,
                          .time = now->time,
                          .step = now->step,
@@ -54,6 +55,7 @@ static void take_mark(struct run *run, const struct mark *mark)
     run->stops = mark->stops;
     run->wanted = mark->wanted;
     run->error = mark->error;
+    run->largest = mark->largest;
     run->options.smallest_step = mark->smallest_step;
     now->time = mark->time;
     now->step = mark->step;

@@ -24,7 +24,7 @@ static const double CLOSED = 1e-8;
 static const double SAFETY = 0.9, SHRINK = 0.3, GROW = 1.5, MOST_GROWTH = 2;
 
 /* Steps of one length at least before it grows. */
-enum { PATIENCE = 3 };
+enum { PATIENCE = 5 };
 
 /* Accelerations that grow so much within a step, and move the scene by more than the accuracy, or
  * by this share of its size where the step is fixed, are the step's, not the motion's. */
@@ -253,10 +253,10 @@ static enum outcome judge(struct run *run)
     return g->reason ? FAILED : CONVERGED;
 }
 
-/* What the error says of the next step, relative to the last. */
-static double growth(const struct run *run)
+/* What an error says of the next step, relative to the last. */
+static double growth(const struct run *run, double error)
 {
-    return SAFETY * cbrt(run->options.accuracy / fmax(run->error, 1e-300));
+    return SAFETY * cbrt(run->options.accuracy / fmax(error, 1e-300));
 }
 
 /* Tries steps until one is good, and takes it. */
@@ -274,9 +274,9 @@ static enum hobe_status advance(struct run *run, double target, struct hobe_erro
             return HOBE_OK;
         log_step(run, g->reason);
         run->history->info.rejected++;
-        run->wanted =
-            g->now.step *
-            (run->error > run->options.accuracy ? fmin(0.8, fmax(SHRINK, growth(run))) : SHRINK);
+        run->wanted = g->now.step * (run->error > run->options.accuracy
+                                         ? fmin(0.8, fmax(SHRINK, growth(run, run->error)))
+                                         : SHRINK);
         if (!(run->options.accuracy > 0) || run->wanted < run->options.smallest_step)
             return give_up(run, err);
         const enum hobe_status status = choose_step(run, target, 1, err);
@@ -305,7 +305,8 @@ static enum hobe_status grow(struct run *run, double target, struct hobe_error *
 {
     const struct genalpha_state *now = &run->g.now;
     const double longest = run->options.step > 0 ? run->options.step : INFINITY;
-    const double factor = fmin(MOST_GROWTH, growth(run));
+    run->largest = now->taken == 1 ? run->error : fmax(run->largest, run->error);
+    const double factor = fmin(MOST_GROWTH, growth(run, run->largest));
     if (!(run->options.accuracy > 0) || now->taken < PATIENCE || factor < GROW ||
         now->time >= target || now->step * GROW > fmin(longest, target - now->time))
         return HOBE_OK;

@@ -20,6 +20,7 @@ struct run {
     struct stops stops;
     double wanted;  /* longest step now, s */
     double error;   /* of the last step, relative */
+    double largest; /* of all steps of this length */
     double started; /* on the clock */
     size_t saved;   /* states of the history that the journal has */
 };

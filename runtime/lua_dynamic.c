@@ -242,9 +242,12 @@ static void read_start(lua_State *L, struct hobe_dynamic *options)
 {
     static const struct hobe_lua_key result = {.name = "start", .type = KEY_RESULT};
     hobe_lua_push_key(L, 2, &dynamic_schema, "start");
-    options->equilibrium =
-        lua_type(L, -1) == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "equilibrium");
-    if (!options->equilibrium)
+    const char *word = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : NULL;
+    options->equilibrium = word && !strcmp(word, "equilibrium");
+    if (word && !options->equilibrium)
+        hobe_lua_fail(L, "dynamic: start must be \"equilibrium\" or a result, got %s",
+                      hobe_lua_describe(L, -1));
+    if (!word)
         hobe_lua_read_value(L, -1, "dynamic: start", &result, &options->start);
     lua_pop(L, 1);
 }
@@ -286,10 +289,8 @@ static int solve_dynamic(lua_State *L)
     if (context->program && context->folder)
         write_rows(context, history->history);
     if (options.dynamic.rho > 0.9)
-        hobe_lua_note(L,
-                      "rho = %f leaves fast vibrations and errors to grow; motions with joints "
-                      "may fail above 0.9",
-                      options.dynamic.rho);
+        hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
+                         "motions with joints may fail");
     return 1;
 }
 
