@@ -51,7 +51,7 @@ static int point_before(const hobe_drive *drive, double t)
 static double between_points(const hobe_drive *drive, int i, double tau, double f[3])
 {
     const double *from = drive->point[i], *to = drive->point[i + 1];
-    const double T = to[0] - from[0], rise = to[1] - from[1], w = PI / T;
+    const double T = to[0] - from[0], rise = to[1] - from[1];
     f[0] = from[1];
     if (T == 0)
         return 0;
@@ -60,7 +60,7 @@ static double between_points(const hobe_drive *drive, int i, double tau, double 
         f[1] = rise / T;
         return from[1] * tau + rise * tau * tau / (2 * T);
     }
-    const double half = sin(w * tau / 2);
+    const double w = PI / T, half = sin(w * tau / 2);
     f[0] += rise * half * half;
     f[1] = rise / 2 * w * sin(w * tau);
     f[2] = rise / 2 * w * w * cos(w * tau);
