@@ -509,11 +509,11 @@ void constraint_add(const struct hobe_model *model, const double *u, const struc
 /* ---- their derivatives by time --------------------------------------------------------------- */
 
 /* Directions and distance of a tie and their derivatives along u + v t. */
-struct motion {
+struct rates {
     double D[ORDERS][2][3][3], d[ORDERS][3];
 };
 
-static void read_motion(const struct tie *tie, const double *u, const double *v, struct motion *m)
+static void read_rates(const struct tie *tie, const double *u, const double *v, struct rates *m)
 {
     struct state s;
     double moved[TIE_VECTORS][3];
@@ -537,7 +537,7 @@ static void read_motion(const struct tie *tie, const double *u, const double *v,
 /* The p-th derivative, p = 1 or 2, of constraint k, a sum of products, by Leibniz's rule:
  * (f g)'' = f'' g + 2 f' g' + f g''. */
 static double derivative(int p, struct constraint c[ORDERS][TIE_CONSTRAINTS], int k,
-                         const struct motion *m)
+                         const struct rates *m)
 {
     double sum = c[p][k].offset + dot3(c[0][k].hold, m->d[p]);
     for (int i = 0; i <= p; i++) {
@@ -564,9 +564,9 @@ static void differentiate(const struct hobe_model *model, int p, const double *u
     for (size_t i = 0; i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         struct constraint c[ORDERS][TIE_CONSTRAINTS];
-        struct motion m;
+        struct rates m;
         constraints_now(model, tie, instant, c);
-        read_motion(tie, u, v, &m);
+        read_rates(tie, u, v, &m);
         for (int k = 0; k < tie->constraints; k++)
             out[3 * tie->multiplier + k] = derivative(p, c, k, &m);
     }
@@ -588,12 +588,12 @@ enum hobe_status tie_power(const struct tie *tie, const double *u, const struct 
                            double *power, struct hobe_error *err)
 {
     struct constraint c[ORDERS][TIE_CONSTRAINTS];
-    struct motion m;
+    struct rates m;
     const enum hobe_status status = constraints_at(tie, instant, c, err);
     *power = 0;
     if (status)
         return status;
-    read_motion(tie, u, NULL, &m);
+    read_rates(tie, u, NULL, &m);
     for (int k = 0; k < tie->constraints; k++)
         *power += u[3 * tie->multiplier + k] * derivative(1, c, k, &m);
     return HOBE_OK;
