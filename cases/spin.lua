@@ -13,6 +13,11 @@
 --
 -- eta and mu speed and frequency in sqrt(EI/(rho A))/L^2; lag is mu^2 - eta^2 (Southwell).  The
 -- diagram (Campbell's) shows where multiples of the speed meet frequencies.
+--
+-- Shafts that turn about their own axis at w: seen in the turning frame a round one whirls with
+-- omega - w and omega + w; a flat one, with a < b for omega in its two planes, moves as exp(lambda t),
+-- lambda^4 + (a^2 + b^2 + 2 w^2) lambda^2 + (a^2 - w^2)(b^2 - w^2) = 0, and is unstable for w from a
+-- to b (Smith 1933, Proc. R. Soc. A 142, 92).
 local hobe = require "hobe"
 
 -- ---- the bar of the spin-up -----------------------------------------------------------------------
@@ -169,7 +174,34 @@ hobe.plot{
   series = curves,
 }
 
+-- ---- shafts ---------------------------------------------------------------------------------------
+
+local function shaft(section, w)
+  local s = hobe.scene{
+    hobe.beam{
+      name = "shaft", element = "MGD30", elements = 6, section = section,
+      material = { E = 210e9, nu = 0.3, rho = 7850 },
+      from = {0, 0, 0}, to = {2, 0, 0},
+    },
+    hobe.clamp{ "shaft", at = 0 },
+    hobe.spin{ axis = {1, 0, 0}, speed = w },
+  }
+  return hobe.modal(s, { state = hobe.static(s), modes = 2 }), hobe.modal(s, { modes = 2 })
+end
+
+local w = 20
+local round, still = shaft(hobe.circle{ radius = 0.02 }, w)
+local omega = still:frequency(1)
+local crest, quarter = round:shape(1, "shaft", 1), round:quadrature(1, "shaft", 1)
+local _, at_rest_flat = shaft(hobe.rectangle{ width = 0.04, height = 0.05 }, 0)
+local a, b = at_rest_flat:frequency(1), at_rest_flat:frequency(2)
+local between = (a + b)/2
+local flat = shaft(hobe.rectangle{ width = 0.04, height = 0.05 }, between)
+local half = (a^2 + b^2)/2 + between^2
+local growth = math.sqrt(math.sqrt(half^2 - (a^2 - between^2)*(b^2 - between^2)) - half)
+
 -- Wright et al. have four digits; the blade stretches by 4e-5 of its length, and shears.
+-- The inertia of the shafts' sections is of the order (h/L)^2 = 4e-4.
 hobe.report{
   extension   = { extension, "m", expect = rod(speed), within = 1e-6 },
   in_plane    = { turning:frequency(1), "rad/s", expect = 4.512, within = 1e-3 },
@@ -178,4 +210,11 @@ hobe.report{
   flap_at_6   = { flap[1][7], "", expect = 7.3604, within = 2e-5 },
   flap_at_12  = { flap[1][13], "", expect = 13.1702, within = 2e-5 },
   from_series = { highest, "" },
+  forward     = { round:frequency(1), "rad/s", expect = omega - w, within = 1e-3 },
+  backward    = { round:frequency(2), "rad/s", expect = omega + w, within = 1e-3 },
+  whirl       = { round:whirl(1) - round:whirl(2), "", expect = 2, within = 1e-3 },
+  circle      = { math.sqrt((quarter[2]^2 + quarter[3]^2)/(crest[2]^2 + crest[3]^2)), "",
+                  expect = 1, within = 1e-6 },
+  unstable    = { flat.unstable, "", expect = 1, within = 1e-9 },
+  growth      = { flat:growth(1), "1/s", expect = growth, within = 2e-3 },
 }
