@@ -6,21 +6,23 @@
 -- 8 x MGD30.  Expected: the extension of the rod that this element is along its axis, S = E e with
 -- Green-Lagrange's strain e, by shooting; and frequencies of an independent prototype.
 --
--- A slender bar, h/L = 1/400: Euler and Bernoulli's rotating beam.  First flapping frequencies
--- of Wright, Smith, Thresher & Wang 1982, J. Appl. Mech. 49, 197; higher ones by the power series of
+-- A slender bar, h/L = 1/400: Euler and Bernoulli's rotating beam.  First flapping frequencies of
+-- Wright, Smith, Thresher & Wang 1982, J. Appl. Mech. 49, 197; higher ones by the power series of
 --
 --     w'''' - eta^2/2 ((1 - x^2) w')' = mu^2 w,
 --
 -- eta and mu speed and frequency in sqrt(EI/(rho A))/L^2; lag is mu^2 - eta^2 (Southwell).  The
 -- diagram (Campbell's) shows where multiples of the speed meet frequencies.
 --
--- Shafts that turn about their own axis at w: seen in the turning frame a round one whirls with
--- omega - w and omega + w; a flat one, with a < b for omega in its two planes, moves as exp(lambda t),
--- lambda^4 + (a^2 + b^2 + 2 w^2) lambda^2 + (a^2 - w^2)(b^2 - w^2) = 0, and is unstable for w from a
--- to b (Smith 1933, Proc. R. Soc. A 142, 92).
+-- Shafts that turn about their own axis at w: in the turning frame a round one whirls with omega - w
+-- and omega + w; a flat one, with a < b for omega in its two planes, moves as exp(lambda t),
+--
+--     lambda^4 + (a^2 + b^2 + 2 w^2) lambda^2 + (a^2 - w^2)(b^2 - w^2) = 0,
+--
+-- and is unstable for w from a to b (Smith 1933, Proc. R. Soc. A 142, 92).
 local hobe = require "hobe"
 
--- ---- the bar of the spin-up -----------------------------------------------------------------------
+-- ---- the bar of the spin-up --------------------------------------------------------------------
 
 local L, A, E, rho, speed = 10, 0.006, 4.6666667e9, 200, 6
 local side = math.sqrt(A)
@@ -65,7 +67,7 @@ local steady = hobe.static(scene)
 local at_rest, turning = hobe.modal(scene), hobe.modal(scene, { state = steady, modes = 4 })
 local extension = steady:displacement("bar", 1)[1]
 
--- ---- a slender blade ------------------------------------------------------------------------------
+-- ---- a slender blade ---------------------------------------------------------------------------
 
 -- Zero where mu is a flapping frequency at eta: w = sum a_k x^k with w''(1) = w'''(1) = 0.
 local function determinant(eta, mu)
@@ -151,7 +153,8 @@ end
 
 hobe.table{
   title = "Frequencies of the slender blade, in sqrt(EI/(rho A))/L^2",
-  columns = { "speed", "flap 1", "series", "Wright et al.", "flap 2", "series", "lag 1", "series" },
+  columns = { "speed", "flap 1", "series", "Wright et al.", "flap 2", "series", "lag 1",
+              "series" },
   rows = rows,
 }
 
@@ -174,7 +177,7 @@ hobe.plot{
   series = curves,
 }
 
--- ---- shafts ---------------------------------------------------------------------------------------
+-- ---- shafts ------------------------------------------------------------------------------------
 
 local function shaft(section, w)
   local s = hobe.scene{
