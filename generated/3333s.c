@@ -9,7 +9,7 @@
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 5
+#if HOBE_KERNEL_ABI != 6
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -932,7 +932,7 @@ static const double axis_rule[][2] = {
 
 extern const struct hobe_kernel HOBE_KERNEL(3333s);
 const struct hobe_kernel HOBE_KERNEL(3333s) = {
-    .abi = 5,
+    .abi = 6,
     .name = "3333s",
     .hash = "abcf9e0e56460d5e",
     .source = "Nachbagauer, Gruber & Gerstmayr 2013; Tang, Tian & Hu 2022, Table 7",
@@ -960,6 +960,7 @@ const struct hobe_kernel HOBE_KERNEL(3333s) = {
     .force = section_wise_force,
     .tangent = section_wise_tangent,
     .trilinear = NULL,
+    .series = NULL,
     .tensor_size = NULL,
     .symmetry = NULL,
     .tensor = NULL,

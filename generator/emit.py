@@ -3,11 +3,11 @@
 
 from fractions import Fraction
 
-from . import structural, tensor
+from . import series, structural, tensor
 from .ir import write
 from .shape import derivative
 
-ABI = 5  # HOBE_KERNEL_ABI of kernel.h
+ABI = 6  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -22,7 +22,7 @@ def element_file(element, plan):
     if plan.layout:
         parts += [_tensor_tables(element, plan.layout), tensor.COEFFICIENTS]
     parts += [_function(f) for f in plan.functions]
-    parts += [BATCH, *([TENSOR_BATCH, TRILINEAR] if plan.layout else []),
+    parts += [BATCH, *([TENSOR_BATCH, TRILINEAR, series.SERIES] if plan.layout else []),
               _descriptor(element, plan)]
     return "\n".join(parts)
 
@@ -715,7 +715,7 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
 
 
 BY_SECTION = {"force": "section_wise_force", "tangent": "section_wise_tangent",
-              "trilinear": "NULL", "tensor_size": "NULL", "symmetry": "NULL", "tensor": "NULL"}
+              "trilinear": "NULL", "series": "NULL", "tensor_size": "NULL", "symmetry": "NULL", "tensor": "NULL"}
 BY_TENSOR = {name: name for name in BY_SECTION}
 
 

@@ -100,4 +100,9 @@ void tie_reaction(const struct tie *tie, const double *u, double force[3], doubl
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);
 
+/* f += the coefficient of a^k, k > 0, of that along the states u_0 + a u_1 + ... + a^(known-1)
+ * u_(known-1), u[known]; known <= k <= TAYLOR_ORDER of taylor.h (constraint_series.c). */
+void constraint_series(const struct hobe_model *model, const double *const *u, int known, int k,
+                       double *f);
+
 #endif

@@ -478,7 +478,16 @@ struct hobe_iteration { /* what a log line shows */
     const char *note; /* "" or what happened: "converged", "cut back", ... */
 };
 
+enum hobe_method {
+    HOBE_METHOD_AUTO,   /* newton */
+    HOBE_METHOD_NEWTON, /* steps begin at the last state, or along the path's tangent there */
+    HOBE_METHOD_SERIES  /* they go along a power series of the path, as far as that is good: fewer
+                           factorisations where many steps are needed (asymptotic numerical method,
+                           Cochelin 1994); only of elements whose energy is a polynomial */
+};
+
 struct hobe_newton {
+    enum hobe_method method;
     int steps;            /* load steps to begin with; 0: 1 */
     int max_iterations;   /* in a step; 0: 30 */
     double tolerance;     /* on `residual`; 0: 1e-9 */
@@ -529,7 +538,7 @@ struct hobe_path_options {
     struct hobe_newton newton; /* of which steps, smallest_step and no_line_search do not count */
     int steps;                 /* at most; 0: 200 */
     double arc; /* longest step, in units of the arc that the linear response to all loads takes
-                   from the reference; 0: 0.05 */
+                   from the reference; 0: 0.05, by series no limit but how far these are good */
     double smallest_arc; /* below which the path is given up, as a share of arc; 0: 1e-4 */
     double to; /* load factor that ends the path, and the direction in which it starts; 0: 1 */
     struct hobe_reach reach;
@@ -542,7 +551,7 @@ enum hobe_path_end { HOBE_PATH_LOAD, HOBE_PATH_DISPLACEMENT, HOBE_PATH_STEPS };
 
 struct hobe_path_info {
     int points, events;
-    int iterations, cutbacks;
+    int iterations, cutbacks, factorisations;
     enum hobe_path_end end; /* what ended the path: options.to, options.reach, or options.steps */
     double seconds;         /* in hobe_path_follow without set-up */
 };
