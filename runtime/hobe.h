@@ -486,24 +486,28 @@ enum hobe_method {
                            Cochelin 1994); only of elements whose energy is a polynomial */
 };
 
+typedef struct hobe_solution hobe_solution;
+
 struct hobe_newton {
     enum hobe_method method;
-    int steps;            /* load steps to begin with; 0: 1 */
-    int max_iterations;   /* in a step; 0: 30 */
-    double tolerance;     /* on `residual`; 0: 1e-9 */
-    double smallest_step; /* of the load factor, below which the solve is given up; 0: 1e-4 */
+    const hobe_solution *start; /* where hobe_static begins, at the full load: an equilibrium of the
+                                   model or of one of the same shape, under other loads or of other
+                                   size; NULL, or if there is nothing near: the reference */
+    int steps;                  /* load steps to begin with; 0: 1; not by series */
+    int max_iterations;         /* in a step; 0: 30 */
+    double tolerance;           /* on `residual`; 0: 1e-9 */
+    double smallest_step;       /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
     void (*log)(void *context, const struct hobe_iteration *iteration); /* may be NULL */
     void *context;
 };
 
-typedef struct hobe_solution hobe_solution;
-
 struct hobe_solution_info {
     int steps, iterations, cutbacks, factorisations;
     double load;     /* load factor reached: 1 of hobe_static */
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
-                        stable; -1: not counted, as by hobe_static */
+                        stable; -1: not counted, as by hobe_static
+                        but by series */
     double residual; /* of the last iteration */
     double change;   /* of the displacements by one more iteration, relative to their size, in the
                         norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
@@ -515,9 +519,10 @@ struct hobe_solution_info {
     double seconds;      /* in hobe_static without set-up */
 };
 
-/* Static equilibrium under all loads of the model from its reference.  On success *solution is
- * owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says how
- * far the load got and what to try.  Large models are summed by several threads, as many as
+/* Static equilibrium under all loads of the model from its reference or options.start; by series
+ * the path to it is followed (hobe_path_follow), through limit points, too.  On success *solution
+ * is owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says
+ * how far the load got and what to try.  Large models are summed by several threads, as many as
  * OMP_NUM_THREADS allows; results do not depend on their number. */
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err);

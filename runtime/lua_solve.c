@@ -448,6 +448,11 @@ struct options {
                   "fewer factorisations where many steps are needed")
 
 static const struct hobe_lua_key static_keys[] = {
+    METHOD(struct options, newton.method),
+    NEWTON(start, KEY_RESULT,
+           .doc = "a result to start from, at the full load, in one step, or if that fails from "
+                  "the reference: of this scene or of one of the same shape, under another load "
+                  "or of other size; not by series"),
     NEWTON(steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 1, .doc = "load steps to begin with"),
     NEWTON(tolerance, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-9,
            .doc = "residual to reach, relative to the load"),
