@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The force along a power series of states, as text: the same for every element whose energy is
-quartic, from the loop nests of plan.py."""
+quartic, from the loop nests of section.py."""
 
 SERIES = """\
-/* What a station keeps of one order of a series: its section vectors D, its stresses tn, ts. */
-enum { KEPT = 3 * S + NN + NS };
+/* What a station keeps of one order of a series: its section vectors D and its stresses Q. */
+enum { KEPT = 3 * S + GRAMS };
 
 static void add_to(hobe_real *sum, const hobe_real *x, int n)
 {
@@ -14,51 +14,46 @@ static void add_to(hobe_real *sum, const hobe_real *x, int n)
 
 /* The Gram entries of order k > 1 that D_1 .. D_(k-1) make: sum of D_i . D_j, i + j = k.  The
  * orders at a station are `order` apart. */
-static void gram_of_order(int k, const hobe_real *at, ptrdiff_t order, hobe_real *n, hobe_real *s)
+static void gram_of_order(int k, const hobe_real *at, ptrdiff_t order, hobe_real *gamma)
 {
-    hobe_real half[3 * S], more_n[NN], more_s[NS];
-    for (int i = 0; i < NN; i++)
-        n[i] = zero;
-    for (int i = 0; i < NS; i++)
-        s[i] = zero;
+    hobe_real weighted[3 * S], more[GRAMS];
+    for (int p = 0; p < GRAMS; p++)
+        gamma[p] = zero;
     for (int i = 1; i <= k / 2; i++) {
         const double weight = 2 * i < k ? 1.0 : 0.5;
         for (int a = 0; a < 3 * S; a++)
-            half[a] = weight * at[i * order + a];
-        differences(half, at + (k - i) * order, more_n, more_s);
-        add_to(n, more_n, NN);
-        add_to(s, more_s, NS);
+            weighted[a] = weight * at[i * order + a];
+        column_differences(sectional, weighted, at + (k - i) * order, more);
+        add_to(gamma, more, GRAMS);
     }
 }
 
-/* P = sum of sigma_i D_(k-i), i = 1 .. k. */
+/* P = sum of Q_i D_(k-i), i = 1 .. k. */
 static void force_of_order(int k, const hobe_real *at, ptrdiff_t order, hobe_real *P)
 {
     hobe_real more[3 * S];
     for (int i = 0; i < 3 * S; i++)
         P[i] = zero;
     for (int i = 1; i <= k; i++) {
-        const hobe_real *sigma = at + i * order + 3 * S;
-        section_force(sigma, sigma + NN, at + (k - i) * order, more);
+        section_force(at + i * order + 3 * S, at + (k - i) * order, more);
         add_to(P, more, 3 * S);
     }
 }
 
-/* sigma += Q s(B, D), what completes an order: with D_0 of the state and D_m, m > 0; or with
- * B = D0 + U/2 and U of the state itself. */
-static void add_stress(const double *Qn, const double *Qs, const double *Qc, const hobe_real *B,
-                       const hobe_real *D, hobe_real *sigma)
+/* Q += the stress of the Gram entries of B and D, what completes an order: with D_0 of the state
+ * and D_m, m > 0; or with B = D0 + U/2 and U of the state itself. */
+static void add_stress(const double *H, int symmetry, const hobe_real *B, const hobe_real *D,
+                       hobe_real *Q)
 {
-    hobe_real n[NN], s[NS], tn[NN], ts[NS];
-    differences(B, D, n, s);
-    stress(Qn, Qs, Qc, n, s, tn, ts);
-    add_to(sigma, tn, NN);
-    add_to(sigma + NN, ts, NS);
+    hobe_real gamma[GRAMS], more[GRAMS];
+    column_differences(sectional, B, D, gamma);
+    row_stress(sectional, H, symmetry, gamma, more);
+    add_to(Q, more, GRAMS);
 }
 
-/* The first order: D_0 = D0 + U and sigma_0 of the state, from the reference x0. */
-static void begin_series(const double *N, const double *Nx, const double *Qn, const double *Qs,
-                         const double *Qc, const hobe_real *x0, hobe_real *at)
+/* The first order: D_0 = D0 + U of the state, from the reference x0, and its Q_0. */
+static void begin_series(const double *N, const double *Nx, const double *H, int symmetry,
+                         const hobe_real *x0, hobe_real *at)
 {
     hobe_real D0[3 * S], B[3 * S];
     section_vectors(N, Nx, x0, D0);
@@ -66,7 +61,7 @@ static void begin_series(const double *N, const double *Nx, const double *Qn, co
         B[i] = D0[i] + 0.5 * at[i];
     for (int i = 3 * S; i < KEPT; i++)
         at[i] = zero;
-    add_stress(Qn, Qs, Qc, B, at, at + 3 * S);
+    add_stress(H, symmetry, B, at, at + 3 * S);
     add_to(at, D0, 3 * S);
 }
 
@@ -74,23 +69,22 @@ static void series_part(const struct hobe_invariants *inv, int k, const hobe_rea
                         const hobe_real *u, hobe_real *table, hobe_real *f)
 {
     const ptrdiff_t order = (ptrdiff_t)HOBE_PARTS * inv->stations * KEPT;
-    hobe_real x0[3 * V], x[3 * V], P[3 * S], n[NN], s[NS];
+    hobe_real x0[3 * V], x[3 * V], P[3 * S], gamma[GRAMS];
     gather(q0, x0);
     gather(u, x);
     for (int i = 0; i < 3 * V; i++)
         f[i * HOBE_PARTS] = zero;
     for (int g = 0; g < inv->stations; g++) {
         const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
-        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
-        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
+        const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
         hobe_real *at = table + KEPT * g, *next = at + k * order;
         section_vectors(N, Nx, x, next - order);
         if (k > 1)
-            add_stress(Qn, Qs, Qc, at, next - order, next - order + 3 * S);
+            add_stress(H, inv->symmetry, at, next - order, next - order + 3 * S);
         else
-            begin_series(N, Nx, Qn, Qs, Qc, x0, at);
-        gram_of_order(k, at, order, n, s);
-        stress(Qn, Qs, Qc, n, s, next + 3 * S, next + 3 * S + NN);
+            begin_series(N, Nx, H, inv->symmetry, x0, at);
+        gram_of_order(k, at, order, gamma);
+        row_stress(sectional, H, inv->symmetry, gamma, next + 3 * S);
         force_of_order(k, at, order, P);
         for (int v = 0; v < V; v++)
             for (int a = 0; a < 3; a++) {

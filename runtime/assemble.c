@@ -227,6 +227,7 @@ struct assembly {
     const double *u, *v;
     double *f;
     const struct matrix *K;
+    double rate;
     const struct series_table *table;
     int order; /* of the series */
 };
@@ -288,7 +289,7 @@ void assemble_expecting(const struct hobe_model *model, const double *u, const d
     memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
     if (K)
         pattern_clear(model, K);
-    each_batch(&(struct assembly){model, u, v, f, K, NULL, 0}, add_batch);
+    each_batch(&(struct assembly){.model = model, .u = u, .v = v, .f = f, .K = K}, add_batch);
 }
 
 void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K)
@@ -313,7 +314,68 @@ void assemble_strained(const struct hobe_model *model, const double *u, const do
                        const struct matrix *K)
 {
     pattern_clear(model, K);
-    each_batch(&(struct assembly){model, u, v, NULL, K, NULL, 0}, add_strained);
+    each_batch(&(struct assembly){.model = model, .u = u, .v = v, .K = K}, add_strained);
+}
+
+/* work->q0 = q in state u, work->f = 2 T(q; q, v). */
+static void find_viscous(const struct hobe_model *model, const struct beam *beam,
+                         const struct batch *batch, const double *u, const double *v,
+                         const struct workspace *work)
+{
+    const struct hobe_kernel *kernel = beam->kernel;
+    gather(model, beam, batch, u, work->q0);
+    for (int k = 0; k < 3 * kernel->vectors; k++)
+        work->q0[k] += batch->q0[k];
+    gather(model, beam, batch, v, work->u);
+    kernel->trilinear(hobe_element_invariants(batch->law), work->q0, work->q0, work->u, work->f,
+                      work->scratch);
+    for (int k = 0; k < 3 * kernel->vectors; k++)
+        work->f[k] *= 2;
+}
+
+static void add_viscous(const struct assembly *a, const struct beam *beam,
+                        const struct batch *batch, struct workspace *work)
+{
+    const int V = beam->kernel->vectors;
+    const double tau = beam->spec.damping.stiffness;
+    if (tau == 0)
+        return;
+    find_viscous(a->model, beam, batch, a->u, a->v, work);
+    for (int k = 0; k < 3 * V; k++)
+        work->f[k] *= tau;
+    scatter_force(a->model, beam, batch, work->f, a->f);
+    if (!a->K)
+        return;
+    memset(work->u, 0, (size_t)(3 * V) * sizeof *work->u);
+    beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f, work->K,
+                          work->scratch);
+    for (int k = 0; k < 9 * hobe_pair(V, 0); k++)
+        work->K[k] *= a->rate * tau;
+    scatter_tangent(a->model, beam, batch, work->K, a->K);
+}
+
+void assemble_viscous(const struct hobe_model *model, const double *u,
+                      const struct instant *instant, double *f, const struct matrix *K)
+{
+    each_batch(&(struct assembly){model, u, instant->v, f, K, instant->rate, NULL, 0}, add_viscous);
+}
+
+double assemble_viscous_power(const struct hobe_model *model, const double *u, const double *v)
+{
+    const struct workspace *work = model->schedule.work;
+    double power = 0;
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const double tau = beam->spec.damping.stiffness;
+        for (int b = 0; tau > 0 && b < beam->batches; b++) {
+            const struct batch *batch = beam->batch + b;
+            find_viscous(model, beam, batch, u, v, work);
+            for (int k = 0; k < 3 * beam->kernel->vectors; k++)
+                for (int lane = 0; lane < batch->count; lane++)
+                    power += tau * work->f[k][lane] * work->u[k][lane];
+        }
+    }
+    return power;
 }
 
 /* ---- series ---------------------------------------------------------------------------------- */
@@ -380,7 +442,8 @@ void assemble_series(const struct hobe_model *model, int k, const double *u,
                      const struct series_table *table, double *f)
 {
     memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
-    each_batch(&(struct assembly){model, u, NULL, f, NULL, table, k}, add_coefficient);
+    each_batch(&(struct assembly){.model = model, .u = u, .f = f, .table = table, .order = k},
+               add_coefficient);
 }
 
 /* ---- energy and single elements -------------------------------------------------------------- */

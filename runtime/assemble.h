@@ -50,6 +50,17 @@ void assemble_series_close(struct series_table *table);
 void assemble_series(const struct hobe_model *model, int k, const double *u,
                      const struct series_table *table, double *f);
 
+/* The viscous stress of Kelvin and Voigt, S = tau C : dE/dt, of the beams whose damping.stiffness,
+ * tau, is not zero: f += tau K_m(u) v, which is 2 tau T(q; q, v) of the kernels, and K += rate tau
+ * K_m(u) unless NULL.  K_m is the tangent without its stresses, which is that of elements whose
+ * reference is where u has them.  What f changes with u at fixed v is not in K: in a time step it
+ * is to K as the rotations and strains of the step are to one. */
+void assemble_viscous(const struct hobe_model *model, const double *u,
+                      const struct instant *instant, double *f, const struct matrix *K);
+
+/* v' tau K_m(u) v, W. */
+double assemble_viscous_power(const struct hobe_model *model, const double *u, const double *v);
+
 /* Strain energy of all elements, J. */
 double assemble_energy(const struct hobe_model *model, const double *u);
 

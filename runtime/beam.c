@@ -74,6 +74,14 @@ static enum hobe_status curved_axis(struct beam *beam, struct hobe_error *err)
     return at_beam(beam, status, err);
 }
 
+void beam_origin(const struct beam *beam, int e, double origin[3])
+{
+    for (int a = 0; a < 3; a++)
+        origin[a] = beam->origin ? beam->origin[e][a]
+                                 : beam->end[0][a] + beam->length * e / beam->spec.elements *
+                                                         beam->end_frame[0][0][a];
+}
+
 void beam_frame(const struct beam *beam, int e, const double *N, const double *Nx,
                 double frame[3][3])
 {

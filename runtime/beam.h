@@ -62,6 +62,9 @@ static inline const double *beam_q0(const struct beam *beam, int e)
     return beam->q0 + (beam->origin ? 3 * (size_t)e * (size_t)beam->kernel->vectors : 0);
 }
 
+/* Where the first node of element e is in the reference, m. */
+void beam_origin(const struct beam *beam, int e, double origin[3]);
+
 /* The section's axes in the reference, rows, where element e has the axial functions N, Nx. */
 void beam_frame(const struct beam *beam, int e, const double *N, const double *Nx,
                 double frame[3][3]);

@@ -3,6 +3,7 @@
 
 #include "linsolve.h"
 #include "mesh_triangle.h"
+#include "section_mirror.h"
 
 #include <math.h>
 #include <string.h>
@@ -394,5 +395,7 @@ enum hobe_status hobe_distortion(const hobe_section *section, const struct hobe_
         normalise(&s, s.v + 2 * l * nodes);
     for (int l = 0; !status && l < AXIAL; l++)
         orthogonalise(&s, s.axial + l * nodes);
+    for (int l = 0; !status && l < HOBE_DISTORTIONS; l++)
+        mirror_restore(mesh, values + l * nodes);
     return status;
 }

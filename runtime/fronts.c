@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fronts.h"
 
+#include "border.h"
 #include "kernel.h"
 #include "linsolve.h"
 #include "panel.h"
@@ -25,7 +26,8 @@ struct front {
 };
 
 struct hobe_fronts {
-    long blocks;
+    long blocks, multipliers; /* all; the last of them */
+    struct border border;
     long *order, *position; /* [blocks] block at a position, position of a block */
     long *front_of;         /* [blocks] by position */
     struct front *front;
@@ -122,19 +124,33 @@ static void free_columns(struct columns *L)
     hobe_free(L->row);
 }
 
-static enum hobe_status find_columns(struct columns *L, hobe_fronts *f, const long *start,
+static enum hobe_status find_columns(struct columns *L, const hobe_fronts *f, const long *start,
                                      const long *row, struct hobe_error *err)
 {
     const size_t n = (size_t)f->blocks;
     *L = (struct columns){.start = hobe_alloc(n + 1, sizeof *L->start, err)};
     long *work = L->start ? hobe_alloc(3 * n, sizeof *work, err) : NULL;
-    for (long j = 0; j < f->blocks; j++)
-        f->position[f->order[j]] = j;
     const enum hobe_status status =
         work ? fill_columns(L, f, start, row, work, err) : HOBE_NO_MEMORY;
     hobe_free(work);
     if (status)
         free_columns(L);
+    return status;
+}
+
+/* The order given or that of least degree, multipliers put to their places. */
+static enum hobe_status set_order(hobe_fronts *f, int least_degree, const long *start,
+                                  const long *row, struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    for (long j = 0; j < f->blocks; j++)
+        f->order[j] = j;
+    if (least_degree)
+        status = hobe_linsolve_order(f->blocks, start, row, f->order, err);
+    if (!status && f->multipliers > 0)
+        status = border_order(f->blocks - f->multipliers, f->blocks, start, row, f->order, err);
+    for (long j = 0; j < f->blocks; j++)
+        f->position[f->order[j]] = j;
     return status;
 }
 
@@ -144,15 +160,15 @@ static enum hobe_status choose_order(struct columns *L, hobe_fronts *f, const lo
                                      const long *row, struct hobe_error *err)
 {
     struct columns given;
-    for (long j = 0; j < f->blocks; j++)
-        f->order[j] = j;
-    enum hobe_status status = find_columns(&given, f, start, row, err);
+    enum hobe_status status = set_order(f, 0, start, row, err);
+    if (!status)
+        status = find_columns(&given, f, start, row, err);
     if (status)
         return status;
     *L = given;
     if (2 * given.start[f->blocks] + f->blocks == start[f->blocks]) /* no new entries */
         return HOBE_OK;
-    status = hobe_linsolve_order(f->blocks, start, row, f->order, err);
+    status = set_order(f, 1, start, row, err);
     if (!status)
         status = find_columns(L, f, start, row, err);
     if (status || L->cost < given.cost) {
@@ -161,9 +177,10 @@ static enum hobe_status choose_order(struct columns *L, hobe_fronts *f, const lo
     }
     free_columns(L);
     *L = given;
-    for (long j = 0; j < f->blocks; j++)
-        f->order[j] = f->position[j] = j;
-    return HOBE_OK;
+    status = set_order(f, 0, start, row, err);
+    if (status)
+        free_columns(L);
+    return status;
 }
 
 /* ---- fronts ---------------------------------------------------------------------------------- */
@@ -297,15 +314,19 @@ static enum hobe_status analyse(hobe_fronts *f, const long *start, const long *r
         status = make_room_for_one(f, err);
     }
     free_columns(&L);
+    if (!status)
+        status = border_open(&f->border, f, f->blocks - f->multipliers, f->blocks, start, row, err);
     return status;
 }
 
-hobe_fronts *fronts_analyse(long blocks, const long *start, const long *row, struct hobe_error *err)
+hobe_fronts *fronts_analyse(long blocks, long multipliers, const long *start, const long *row,
+                            struct hobe_error *err)
 {
     hobe_fronts *f = hobe_alloc(1, sizeof *f, err);
     if (!f)
         return NULL;
     f->blocks = blocks;
+    f->multipliers = multipliers;
     if (analyse(f, start, row, err)) {
         fronts_free(f);
         return NULL;
@@ -317,6 +338,7 @@ void fronts_free(hobe_fronts *f)
 {
     if (!f)
         return;
+    border_free(&f->border);
     hobe_free(f->order);
     hobe_free(f->position);
     hobe_free(f->front_of);
@@ -360,6 +382,7 @@ void fronts_scale(const hobe_fronts *f, const double *value, double *scale)
                 diagonal > 0 ? 1 / sqrt(diagonal) : 1;
         }
     }
+    border_scale(&f->border, value, scale);
 }
 
 /* ---- factors --------------------------------------------------------------------------------- */
@@ -419,6 +442,7 @@ static int check_pivots(hobe_fronts *f, const struct front *front, const double 
 enum hobe_status fronts_factor(hobe_fronts *f, double *value, const double *scale)
 {
     memset(f->growth, 0, (size_t)(3 * f->blocks) * sizeof *f->growth);
+    border_stiffen(&f->border, value, scale);
     for (long s = 0; s < f->fronts; s++) {
         const struct front *front = f->front + s;
         const long rows = rows_of(front), columns = 3 * front->pivots, stride = stride_of(front);
@@ -468,6 +492,7 @@ static void solve_forward(const hobe_fronts *f, const struct front *front, const
 
 void fronts_solve(const hobe_fronts *f, const double *value, double *x)
 {
+    border_load(&f->border, x);
     for (long j = 0; j < f->blocks; j++)
         memcpy(f->x + 3 * j, x + 3 * f->order[j], 3 * sizeof *x);
     for (long s = 0; s < f->fronts; s++)

@@ -23,36 +23,41 @@ long inertia_multipliers(const struct hobe_model *model, long *spare)
     return multipliers;
 }
 
+/* Where the tangent has scalar (a, c) of the block of a tie's entries (i, j); NULL: held. */
+static double *find(const struct hobe_model *model, const struct tie *tie, int i, int j, int a,
+                    int c, double *Ax)
+{
+    const long place = tie->place[COLUMNS][i * tie->vectors + j];
+    return place < 0 ? NULL
+                     : Ax + place + c * model->stride[COLUMNS][model->unknown[tie->vector[j]]] + a;
+}
+
 /* Takes constraint k of a tie out of the tangent: its row goes to G[n] and, scaled, G'G is added to
  * the vectors it ties. */
 static void detach(const struct hobe_model *model, const struct tie *tie, int k,
                    const double *scale, double *Ax, double *G)
 {
-    const struct pattern *p = &model->pattern;
     const int last = tie_entry(tie, k), m = k % 3, tied = tie->vectors - tie->blocks;
-    const long *unknown = model->unknown, *block = tie->block;
-    const long row = unknown[tie->vector[last]];
-    const double D = scale[3 * row + m];
-    for (int i = 0; i < tied; i++) {
-        const long column = unknown[tie->vector[i]];
-        for (int a = 0; a < 3 && column >= 0; a++) {
-            double *at = Ax + pattern_scalar(p, column, block[last * tie->vectors + i], m, a);
-            G[3 * column + a] = *at;
-            *at = Ax[pattern_scalar(p, row, block[i * tie->vectors + last], a, m)] = 0;
-        }
-    }
+    const long *unknown = model->unknown;
+    const double D = scale[3 * unknown[tie->vector[last]] + m];
     for (int i = 0; i < tied; i++)
-        for (int j = 0; j < tied; j++) {
-            const long b = block[i * tie->vectors + j];
-            if (b < 0)
+        for (int a = 0; a < 3; a++) {
+            double *at = find(model, tie, last, i, m, a, Ax);
+            if (!at)
                 continue;
-            const long column = unknown[tie->vector[j]];
-            const double *g = G + 3 * unknown[tie->vector[i]], *h = G + 3 * column;
-            for (int a = 0; a < 3; a++)
-                for (int c = 0; c < 3; c++)
-                    Ax[pattern_scalar(p, column, b, a, c)] += D * g[a] * D * h[c];
+            G[3 * unknown[tie->vector[i]] + a] = *at;
+            *at = *find(model, tie, i, last, a, m, Ax) = 0;
         }
-    Ax[pattern_scalar(p, row, block[last * tie->vectors + last], m, m)] = 1 / (D * D);
+    for (int i = 0; i < tied; i++)
+        for (int j = 0; j < tied; j++)
+            for (int a = 0; a < 3; a++)
+                for (int c = 0; c < 3; c++) {
+                    double *at = find(model, tie, i, j, a, c, Ax);
+                    if (at)
+                        *at += D * G[3 * unknown[tie->vector[i]] + a] * D *
+                               G[3 * unknown[tie->vector[j]] + c];
+                }
+    *find(model, tie, last, last, m, m, Ax) = 1 / (D * D);
 }
 
 /* S = G A^-1 G' with the last factors of A, G[m][n], and how many of its eigenvalues are positive.

@@ -3,10 +3,12 @@
  * hold it, and whether any is one too many. */
 #include "joint.h"
 
-#include "constraint.h"
+#include "drive.h"
 #include "rank.h"
+#include "spring.h"
 #include "vector3.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -43,8 +45,7 @@ const char *hobe_joint_name(enum hobe_joint_kind kind)
 
 /* ---- what is asked for ----------------------------------------------------------------------- */
 
-/* unit = axis/|axis| and two more that make a right-handed triad with it: rows t[0], t[1], t[2]. */
-static void make_triad(const double axis[3], double t[3][3])
+void joint_triad(const double axis[3], double t[3][3])
 {
     const double length = length3(axis);
     int least = 0;
@@ -64,20 +65,40 @@ static enum hobe_status check_axes(const struct hobe_joint *joint, struct hobe_e
     const struct kind *kind = kinds + joint->kind;
     const double *axis = joint->axis, *second = joint->second;
     const double size[2] = {length3(axis), length3(second)};
-    const int needed[2] = {kind->shift > APART || kind->turn > APART, kind->turn == CROSSED};
+    const int driven = joint->angle || (joint->position && kind->shift != APART);
+    const int needed[2] = {kind->shift > APART || kind->turn > APART || driven,
+                           kind->turn == CROSSED};
     static const char *const key[2] = {"axis", "second"};
     for (int i = 0; i < 2; i++)
         if (!isfinite(size[i]) || needed[i] != (size[i] > 0))
             return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
-                             needed[i] ? "a joint of kind %s needs %s, a direction {x, y, z} other "
-                                         "than {0, 0, 0}"
-                                       : "a joint of kind %s has no %s; leave it out",
-                             kind->name, key[i]);
+                             needed[i] ? "a %sjoint of kind %s needs %s, a direction {x, y, z} "
+                                         "other than {0, 0, 0}"
+                                       : "a %sjoint of kind %s has no %s; leave it out",
+                             driven ? "driven " : "", kind->name, key[i]);
     if (needed[1] && fabs(dot3(axis, second)) > 1e-9 * size[0] * size[1])
         return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
                          "the axes {%g, %g, %g} and {%g, %g, %g} of a universal joint must be at a "
                          "right angle",
                          axis[0], axis[1], axis[2], second[0], second[1], second[2]);
+    return HOBE_OK;
+}
+
+static enum hobe_status check_drives(const struct hobe_joint *joint, struct hobe_error *err)
+{
+    const hobe_drive *const drive[2] = {joint->angle, joint->position};
+    static const char *const key[2] = {"angle", "position"};
+    const enum stopped turn = kinds[joint->kind].turn;
+    if (joint->angle && turn != ALL && turn != ACROSS)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "a joint of kind %s lets its axis tilt, so that no angle about it can be "
+                         "driven; revolute and cylindrical ones keep it",
+                         kinds[joint->kind].name);
+    for (int i = 0; i < 2; i++)
+        if (drive[i] && !isnan(drive_jump(drive[i])))
+            return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                             "the %s of a joint cannot jump, at t = %g s; only a velocity may",
+                             key[i], drive_jump(drive[i]));
     return HOBE_OK;
 }
 
@@ -91,13 +112,13 @@ enum hobe_status joint_check(const struct hobe_joint *joint, struct hobe_error *
     if (!hobe_joint_name(joint->kind))
         return hobe_fail(err, HOBE_BAD_INPUT, joint->where, "there is no kind of joint %d",
                          (int)joint->kind);
-    return check_axes(joint, err);
+    const enum hobe_status status = check_drives(joint, err);
+    return status ? status : check_axes(joint, err);
 }
 
 /* ---- ties ------------------------------------------------------------------------------------ */
 
-/* c[3] = the direction t as one of a section, on its n, y, z. */
-static void on_section(const struct tied *side, const double t[3], double c[3])
+void joint_direction(const struct tied *side, const double t[3], double c[3])
 {
     for (int i = 0; i < 3; i++)
         c[i] = dot3(side->frame[i], t);
@@ -108,71 +129,96 @@ static void keep_normal(struct tie *tie, const double t[3], const double s[3])
 {
     double a[3], b[3];
     struct constraint *c = tie_constraint(tie);
-    on_section(tie->side, t, a);
-    on_section(tie->side + 1, s, b);
+    joint_direction(tie->side, t, a);
+    joint_direction(tie->side + 1, s, b);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             c->turn[i][j] = a[i] * b[j];
 }
 
+/* All turning about a driven axis, too, which the drive turns. */
 static void stop_turning(struct tie *tie, enum stopped turn, const double t[3][3],
                          const double second[3])
 {
-    if (turn == ALL)
+    if (turn == ALL || tie->angle)
         tie_turning(tie);
-    for (int i = 1; turn == ACROSS && i < 3; i++)
+    for (int i = 1; turn == ACROSS && !tie->angle && i < 3; i++)
         keep_normal(tie, t[i], t[0]);
     if (turn == CROSSED)
         keep_normal(tie, t[0], second);
 }
 
-/* (|g + d|^2 - |g|^2)/(2 |g|) = 0, g the gap in the reference. */
+/* (|g + d|^2 - |g|^2)/(2 |g|) = 0, g the gap in the reference; s + s^2/(2 |g|) if driven. */
 static void keep_distance(struct tie *tie, const double gap[3])
 {
     struct constraint *c = tie_constraint(tie);
     c->bend = 1 / length3(gap);
+    c->driven = tie->position != NULL;
     for (int a = 0; a < 3; a++)
         c->hold[a] = gap[a] * c->bend;
 }
 
+/* A driven shift is stopped along the axis, too, where the drive has it. */
 static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3][3],
                           const double gap[3])
 {
-    if (shift == APART)
+    const int driven = tie->position != NULL;
+    const int stops[3] = {shift == ALONG || driven, shift != ALONG, shift != ALONG};
+    if (shift == APART) {
         keep_distance(tie, gap);
-    for (int i = 0; i < 3 && shift == ALL; i++)
-        tie_constraint(tie)->hold[i] = 1;
-    for (int i = 0; i < 3; i++)
-        if (shift == (i == 0 ? ALONG : ACROSS))
-            on_section(tie->side, t[i], tie_constraint(tie)->slide);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        struct constraint *c = stops[i] || shift == ALL ? tie_constraint(tie) : NULL;
+        if (c && shift == ALL && !driven)
+            c->hold[i] = 1;
+        else if (c) {
+            joint_direction(tie->side, t[i], c->slide);
+            c->driven = driven && i == 0;
+        }
+    }
+}
+
+enum hobe_status joint_places(const hobe_model *model, const char *const name[2],
+                              const double at[2], const double to[3], const char *where,
+                              struct tied side[2], double gap[3], int *apart,
+                              struct hobe_error *err)
+{
+    double length = 0;
+    side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
+    memcpy(side[0].position, to, sizeof side[0].position);
+    const int beams = name[1] ? 2 : 1;
+    for (int i = 0; i < beams; i++) {
+        const struct beam *beam = model_find_beam(model, name[i], where, err);
+        if (!beam)
+            return HOBE_UNKNOWN;
+        tied_at(model_place(beam, at[i]), side + 2 - beams + i);
+        length = fmax(length, beam->length);
+    }
+    for (int a = 0; a < 3; a++)
+        gap[a] = side[1].position[a] - side[0].position[a];
+    *apart = length3(gap) > COINCIDENT * length;
+    return HOBE_OK;
 }
 
 /* Finds both places and the gap from the first to the second. */
 static enum hobe_status find_places(const hobe_model *model, const struct hobe_joint *joint,
                                     struct tied side[2], double gap[3], struct hobe_error *err)
 {
-    double length = 0;
-    side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
-    memcpy(side[0].position, joint->to, sizeof side[0].position);
-    const int beams = joint->beam[1] ? 2 : 1;
-    for (int i = 0; i < beams; i++) {
-        const struct beam *beam = model_find_beam(model, joint->beam[i], joint->where, err);
-        if (!beam)
-            return HOBE_UNKNOWN;
-        tied_at(model_place(beam, joint->at[i]), side + 2 - beams + i);
-        length = fmax(length, beam->length);
-    }
-    for (int a = 0; a < 3; a++)
-        gap[a] = side[1].position[a] - side[0].position[a];
-    const int apart = length3(gap) > COINCIDENT * length;
+    const int two = joint->beam[1] != NULL;
+    int apart;
+    const enum hobe_status status = joint_places(model, joint->beam, joint->at, joint->to,
+                                                 joint->where, side, gap, &apart, err);
+    if (status)
+        return status;
     if (kinds[joint->kind].shift == APART)
         return apart ? HOBE_OK
                      : hobe_fail(err, HOBE_BAD_INPUT, joint->where,
                                  "a joint of kind distance needs places that are apart; those of "
                                  "\"%s\" and %s coincide",
-                                 joint->beam[0], beams == 2 ? joint->beam[1] : "the ground");
-    if (beams == 2 && apart)
+                                 joint->beam[0], two ? joint->beam[1] : "the ground");
+    if (two && apart)
         return hobe_fail(
             err, HOBE_BAD_INPUT, joint->where,
             "the joined places of \"%s\" and \"%s\" are %g m apart; they must coincide",
@@ -193,10 +239,13 @@ static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *jo
         return HOBE_NO_MEMORY;
     tie->where = joint->where;
     tie->name = joint->name;
+    tie->angle = joint->angle;
+    tie->position = joint->position;
     if (length3(joint->axis) > 0)
-        make_triad(joint->axis, t);
+        joint_triad(joint->axis, t);
+    joint_direction(tie->side, t[0], tie->axis);
     if (length3(joint->second) > 0)
-        make_triad(joint->second, second);
+        joint_triad(joint->second, second);
     stop_turning(tie, kinds[joint->kind].turn, (const double(*)[3])t, second[0]);
     stop_shifting(tie, kinds[joint->kind].shift, (const double(*)[3])t, gap);
     return HOBE_OK;
@@ -231,15 +280,15 @@ static void put_rigid(struct rank *rank, long column, const struct tied *side, c
     }
 }
 
-static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie, const size_t *root,
+/* The rows J of a tie or spring. */
+static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie, int rows,
+                                 double J[TIE_CONSTRAINTS][TIE_VECTORS][3], const size_t *root,
                                  const unsigned char *held, struct rank *rank,
                                  struct hobe_error *err)
 {
-    double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
     enum hobe_status status = HOBE_OK;
     int independent;
-    tie_jacobian(tie, NULL, J);
-    for (int k = 0; !status && k < tie->constraints; k++) {
+    for (int k = 0; !status && k < rows; k++) {
         for (int s = 0; s < 2; s++) {
             const struct beam *beam = tie->side[s].place.beam;
             if (!beam || held[root[beam - model_beam(model, 0)]])
@@ -286,10 +335,18 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
                                   const unsigned char *held, struct hobe_error *err)
 {
     struct rank rank;
+    double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
     enum hobe_status status = rank_open(&rank, 6 * (long)model->beams.count, err);
-    for (size_t i = 0; !status && i < model->ties.count; i++)
-        if (!model_tie(model, i)->corner)
-            status = add_rows(model, model_tie(model, i), root, held, &rank, err);
+    for (size_t i = 0; !status && i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        tie_jacobian(tie, NULL, J);
+        if (!tie->corner)
+            status = add_rows(model, tie, tie->constraints, J, root, held, &rank, err);
+    }
+    for (size_t i = 0; !status && i < model->springs.count; i++) {
+        const int rows = spring_jacobian(model_spring(model, i), J);
+        status = add_rows(model, &model_spring(model, i)->tie, rows, J, root, held, &rank, err);
+    }
     for (size_t i = 0; !status && i < model->beams.count; i++)
         for (int m = 0; !status && root[i] == i && !held[i] && m < 6; m++)
             if (!rank.row_of[6 * i + (size_t)m])

@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load.h"
 
+#include "constraint.h"
+#include "drive.h"
 #include "element.h"
+#include "spin.h"
 #include "taylor.h"
 #include "vector3.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
@@ -113,8 +118,11 @@ static void angle_force(const double e[3], const double s[3], double m, double F
  * rotation about its own axis only.  The centreline's slope takes no part: a couple on it would be
  * carried by shear within one element, and soften without limit as the mesh is refined. */
 static void subtract_moment(const struct hobe_model *model, const struct hobe_moment *moment,
-                            const double *u, double factor, double *r, const struct matrix *K)
+                            const double *u, const struct instant *instant, double factor,
+                            double *r, const struct matrix *K)
 {
+    const double scaled =
+        factor * drive_factor(model, moment->history, instant->time, moment->where);
     struct station s;
     find_station(model, moment->beam, moment->at, u, &s);
     const double(*frame)[3] = (const double(*)[3])s.frame;
@@ -125,9 +133,9 @@ static void subtract_moment(const struct hobe_model *model, const struct hobe_mo
         double F[3] = {0}, H[3][3] = {{0}};
         angle_force(frame[0], s.slope[slope], m[0] / 2, F, H);
         angle_force(frame[2 - slope], s.slope[slope], m[2 - slope], F, H);
-        add_force(model, &s, 1 + slope, (const double *)F, -factor, r);
+        add_force(model, &s, 1 + slope, (const double *)F, -scaled, r);
         if (K)
-            add_stiffness(model, &s, 1 + slope, 1 + slope, (const double(*)[3])H, -factor, K);
+            add_stiffness(model, &s, 1 + slope, 1 + slope, (const double(*)[3])H, -scaled, K);
     }
 }
 
@@ -193,12 +201,126 @@ static void subtract_follower(const struct hobe_model *model, const struct hobe_
     }
 }
 
+/* ---- forces of the caller -------------------------------------------------------------------- */
+
+/* What such a force is asked at. */
+struct contact {
+    double t, x[3], v[3]; /* s, m, m/s */
+};
+
+static void find_contact(const struct hobe_model *model, const struct station *s, const double *u,
+                         const struct instant *instant, struct contact *at)
+{
+    const struct beam *beam = s->place.beam;
+    struct tied reference;
+    tied_at(s->place, &reference);
+    *at = (struct contact){.t = instant->time};
+    memcpy(at->x, reference.position, sizeof at->x);
+    for (int v = 0; v < beam->kernel->vectors; v++) {
+        const long i = 3 * model_vector(model, beam, s->place.element, v);
+        for (int a = 0; a < 3 && beam->kernel->vector[v].mode == 0; a++) {
+            at->x[a] += s->N[v] * u[i + a];
+            at->v[a] += instant->v ? s->N[v] * instant->v[i + a] : 0;
+        }
+    }
+}
+
+static enum hobe_status call(const struct hobe_force *force, const struct contact *at, double F[3],
+                             struct hobe_error *err)
+{
+    const enum hobe_status status = force->function(force->context, at->t, at->x, at->v, F, err);
+    if (!status && !isfinite(F[0] + F[1] + F[2]))
+        return hobe_fail(err, HOBE_BAD_INPUT, force->where,
+                         "the force on beam \"%s\" is {%g, %g, %g} at t = %g s; it must be finite",
+                         force->beam, F[0], F[1], F[2], at->t);
+    return status;
+}
+
+/* G by central differences; the error of the step eps^(1/3) is eps^(2/3), and what it scales with
+ * is the length of the beam. */
+static enum hobe_status differentiate(const struct hobe_force *force, const struct contact *at,
+                                      double length, double G[2][3][3], struct hobe_error *err)
+{
+    const double step[2] = {cbrt(DBL_EPSILON) * length,
+                            cbrt(DBL_EPSILON) * (length3(at->v) + length)};
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; i < 6; i++) {
+        struct contact side[2] = {*at, *at};
+        double F[2][3] = {{0}};
+        for (int k = 0; !status && k < 2; k++) {
+            double *moved = (i < 3 ? side[k].x : side[k].v) + i % 3;
+            *moved += k ? step[i / 3] : -step[i / 3];
+            status = call(force, side + k, F[k], err);
+        }
+        for (int a = 0; a < 3; a++)
+            G[i / 3][a][i % 3] = (F[1][a] - F[0][a]) / (2 * step[i / 3]);
+    }
+    return status;
+}
+
+/* F and, where there is K, its derivatives; NaN where the caller's functions fail. */
+static void subtract_called(const struct hobe_model *model, const struct hobe_force *force,
+                            const double *u, const struct instant *instant, double factor,
+                            double *r, const struct matrix *K)
+{
+    struct station s;
+    struct contact at;
+    struct hobe_error err;
+    double F[3], G[2][3][3], sum[3][3];
+    find_station(model, force->beam, force->at, u, &s);
+    find_contact(model, &s, u, instant, &at);
+    enum hobe_status status = call(force, &at, F, &err);
+    if (!status && K)
+        status = force->derivative ? force->derivative(force->context, at.t, at.x, at.v, G, &err)
+                                   : differentiate(force, &at, s.place.beam->length, G, &err);
+    if (status) {
+        model_fail(model, force->where, &err);
+        F[0] = F[1] = F[2] = NAN;
+    }
+    add_force(model, &s, 0, (const double *)F, -factor, r);
+    if (status || !K)
+        return;
+    for (int a = 0; a < 3; a++)
+        for (int c = 0; c < 3; c++)
+            sum[a][c] = G[0][a][c] + instant->rate * G[1][a][c];
+    add_stiffness(model, &s, 0, 0, (const double(*)[3])sum, -factor, K);
+}
+
+/* Any force but the constant dead ones: r -= factor Q. */
+static void subtract_force(const struct hobe_model *model, const struct hobe_force *force,
+                           const double *u, const struct instant *instant, double factor, double *r,
+                           const struct matrix *K)
+{
+    struct station s;
+    const double scaled = factor * drive_factor(model, force->history, instant->time, force->where);
+    if (force->function)
+        subtract_called(model, force, u, instant, scaled, r, K);
+    else if (force->follower)
+        subtract_follower(model, force, u, scaled, r, K);
+    else {
+        find_station(model, force->beam, force->at, u, &s);
+        add_force(model, &s, 0, force->value, -scaled, r);
+    }
+}
+
 /* ---- all loads ------------------------------------------------------------------------------- */
+
+/* g = gravity as far as it has histories. */
+static void changing_gravity(const struct hobe_model *model, const struct instant *instant,
+                             double g[3])
+{
+    const struct gravity *gravity = model->gravities.item;
+    memset(g, 0, sizeof(double[3]));
+    for (size_t i = 0; i < model->gravities.count; i++)
+        for (int a = 0; a < 3; a++)
+            g[a] += gravity[i].g[a] *
+                    drive_factor(model, gravity[i].history, instant->time, gravity[i].where);
+}
 
 /* f += factor times the weight of an element: M a, with a = g on every position of the centreline.
  */
 static void add_weight(const struct hobe_model *model, const struct beam *beam, int e,
-                       double factor, double *f)
+                       const double g[3], double factor, double *f)
 {
     const struct hobe_kernel *k = beam->kernel;
     const double *mass = hobe_element_invariants(beam_law(beam, e))->mass;
@@ -209,13 +331,21 @@ static void add_weight(const struct hobe_model *model, const struct beam *beam, 
                 m += mass[v * k->vectors + w];
         double *to = f + 3 * model_vector(model, beam, e, v);
         for (int a = 0; a < 3; a++)
-            to[a] += factor * m * model->gravity[a];
+            to[a] += factor * m * g[a];
     }
+}
+
+/* The same of all elements. */
+static void add_weights(const struct hobe_model *model, const double g[3], double factor, double *f)
+{
+    for (size_t i = 0; i < model->beams.count; i++)
+        for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
+            add_weight(model, model_beam(model, i), e, g, factor, f);
 }
 
 static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_error *err)
 {
-    if (model->gravity[0] == 0 && model->gravity[1] == 0 && model->gravity[2] == 0)
+    if (length3(model->gravity) == 0 && model->gravities.count == 0)
         return HOBE_OK;
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
@@ -224,9 +354,8 @@ static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_erro
                              "gravity needs a density: material.rho of beam \"%s\" is %g, must be "
                              "> 0 (kg/m^3)",
                              beam->name, beam->spec.material.rho);
-        for (int e = 0; e < beam->spec.elements; e++)
-            add_weight(model, beam, e, 1, model->dead);
     }
+    add_weights(model, model->gravity, 1, model->dead);
     return HOBE_OK;
 }
 
@@ -245,10 +374,16 @@ const struct hobe_force *load_follower(const struct hobe_model *model)
 {
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (force->follower)
+        if (force->follower || force->function)
             return force;
     }
     return NULL;
+}
+
+/* Whether the force is the same in any state at any time, and so part of model->dead. */
+static int is_constant(const struct hobe_force *force)
+{
+    return !force->follower && !force->function && !force->history;
 }
 
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
@@ -256,7 +391,7 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
     static const double none[3];
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (load_at(model, force->beam, force->at, force->follower ? none : force->value,
+        if (load_at(model, force->beam, force->at, is_constant(force) ? force->value : none,
                     force->where, model->dead, err))
             return HOBE_UNKNOWN;
     }
@@ -265,23 +400,30 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
         if (!model_find_beam(model, moment->beam, moment->where, err))
             return HOBE_UNKNOWN;
     }
-    return build_gravity(model, err);
+    const enum hobe_status status = build_gravity(model, err);
+    return status ? status : spin_build(model, err);
 }
 
 void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
                    double factor, double *r, const struct matrix *K)
 {
-    (void)instant;
+    double g[3];
+    if (factor == 0) /* functions that fail would make it NaN */
+        return;
     for (long i = 0; i < 3 * model->vectors; i++)
         r[i] -= factor * model->dead[i];
+    changing_gravity(model, instant, g);
+    if (model->gravities.count > 0)
+        add_weights(model, g, -factor, r);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (force->follower)
-            subtract_follower(model, force, u, factor, r, K);
+        if (!is_constant(force))
+            subtract_force(model, force, u, instant, factor, r, K);
     }
     for (size_t i = 0; i < model->moments.count; i++)
-        subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, factor, r,
-                        K);
+        subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, instant,
+                        factor, r, K);
+    spin_subtract(model, u, instant, factor, r, K);
 }
 
 /* ---- along a series -------------------------------------------------------------------------- */
@@ -322,6 +464,7 @@ static void angle_series(int k, const double e[3], const taylor3 slope, double m
 static void add_moment_series(const struct hobe_model *model, const struct hobe_moment *moment,
                               const double *const *u, int known, int k, double *Q)
 {
+    const double factor = drive_factor(model, moment->history, AT_REST.time, moment->where);
     struct station s;
     taylor3 slope[2];
     find_slopes(model, moment->beam, moment->at, u, known, &s, slope);
@@ -329,7 +472,7 @@ static void add_moment_series(const struct hobe_model *model, const struct hobe_
         double F[3] = {0};
         angle_series(k, s.frame[0], slope[m], dot3(s.frame[0], moment->value) / 2, F);
         angle_series(k, s.frame[2 - m], slope[m], dot3(s.frame[2 - m], moment->value), F);
-        add_force(model, &s, 1 + m, F, 1, Q);
+        add_force(model, &s, 1 + m, F, factor, Q);
     }
 }
 
@@ -337,6 +480,7 @@ static void add_moment_series(const struct hobe_model *model, const struct hobe_
 static void add_follower_series(const struct hobe_model *model, const struct hobe_force *force,
                                 const double *const *u, int known, int k, double *Q)
 {
+    const double factor = drive_factor(model, force->history, AT_REST.time, force->where);
     struct station s;
     taylor3 slope[2], n = {{0}}, t[3] = {{{0}}};
     taylor size;
@@ -351,14 +495,17 @@ static void add_follower_series(const struct hobe_model *model, const struct hob
     for (int b = 0; b < 3; b++)
         for (int a = 0; a < 3; a++)
             F[a] += dot3(s.frame[b], force->value) * t[b][k][a];
-    add_force(model, &s, 0, F, 1, Q);
+    add_force(model, &s, 0, F, factor, Q);
 }
 
 void load_series(const struct hobe_model *model, const double *const *u, int known, int k,
                  double *Q)
 {
-    for (long i = 0; i < 3 * model->vectors; i++)
-        Q[i] = k == 0 ? model->dead[i] : 0;
+    memset(Q, 0, (size_t)(3 * model->vectors) * sizeof *Q);
+    if (k == 0) {
+        load_subtract(model, u[0], &AT_REST, -1, Q, NULL);
+        return;
+    }
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         if (force->follower)
@@ -380,24 +527,23 @@ static int is_inside(const struct hobe_model *model, const char *name, double at
            place.xi < 1;
 }
 
-void load_inside(const struct hobe_model *model, const double *u, double factor,
-                 const struct beam *beam, int e, double *f)
+void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
+                 double factor, const struct beam *beam, int e, double *f)
 {
-    add_weight(model, beam, e, factor, f);
+    double g[3];
+    changing_gravity(model, instant, g);
+    for (int a = 0; a < 3; a++)
+        g[a] += model->gravity[a];
+    add_weight(model, beam, e, g, factor, f);
+    spin_inside(model, u, instant, factor, beam, e, f);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        struct station s;
-        if (!is_inside(model, force->beam, force->at, beam, e))
-            continue;
-        find_station(model, force->beam, force->at, u, &s);
-        if (force->follower)
-            subtract_follower(model, force, u, -factor, f, NULL);
-        else
-            add_force(model, &s, 0, force->value, factor, f);
+        if (is_inside(model, force->beam, force->at, beam, e))
+            subtract_force(model, force, u, instant, -factor, f, NULL);
     }
     for (size_t i = 0; i < model->moments.count; i++) {
         const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
         if (is_inside(model, moment->beam, moment->at, beam, e))
-            subtract_moment(model, moment, u, -factor, f, NULL);
+            subtract_moment(model, moment, u, instant, -factor, f, NULL);
     }
 }

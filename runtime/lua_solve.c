@@ -105,10 +105,12 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
     SOLVED("negative", solution.negative, 'i', NULL,
            "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "
-           "stable; -1: not counted"),
+           "stable, as it may be with some where the scene spins (hobe.modal tells); -1: not "
+           "counted"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
+    SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
     SOLVED("setup_seconds", model.setup, 'd', "s", "building the scene"),
     SOLVED("solve_seconds", solution.seconds, 'd', "s", "solving"),
@@ -186,6 +188,27 @@ static int displacement(lua_State *L)
 static int position(lua_State *L)
 {
     return hobe_lua_push_numbers(L, read_point(L, "position").r, 3);
+}
+
+/* Pushes the velocity of the place that the arguments ask for, or the acceleration. */
+static int push_rate(lua_State *L, const char *name, int acceleration)
+{
+    const struct spot s = read_spot(L, name);
+    double rate[2][3];
+    struct hobe_error err;
+    if (hobe_solution_velocity(s.solution, s.beam, s.at, s.y, s.z, rate[0], rate[1], &err))
+        hobe_lua_raise(L, &err);
+    return hobe_lua_push_numbers(L, rate[acceleration], 3);
+}
+
+static int velocity(lua_State *L)
+{
+    return push_rate(L, "velocity", 0);
+}
+
+static int acceleration(lua_State *L)
+{
+    return push_rate(L, "acceleration", 1);
 }
 
 static int rotation(lua_State *L)
@@ -309,8 +332,30 @@ static int reaction(lua_State *L)
     const char *name = hobe_lua_text(L, 2, "reaction: the name");
     if (hobe_solution_reaction(result->solution, name, &is, &err))
         hobe_lua_raise(L, &err);
-    return push_parts(L,
-                      (const struct part[]){{"force", is.force, 3}, {"moment", is.moment, 3}, {0}});
+    return push_parts(
+        L, (const struct part[]){
+               {"force", is.force, 3}, {"moment", is.moment, 3}, {"power", &is.power, 1}, {0}});
+}
+
+/* r:spring(name) */
+static int spring(lua_State *L)
+{
+    static const struct {
+        const char *extension, *force;
+        int parts;
+    } kinds[] = {[HOBE_SPRING_LENGTH] = {"length", "force", 1},
+                 [HOBE_SPRING_TORSION] = {"angle", "moment", 1},
+                 [HOBE_SPRING_BUSHING] = {"displacement", "force", 3}};
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_spring_state is;
+    struct hobe_error err;
+    const char *name = hobe_lua_text(L, 2, "spring: the name");
+    if (hobe_solution_spring(result->solution, name, &is, &err))
+        hobe_lua_raise(L, &err);
+    const int parts = kinds[is.kind].parts;
+    return push_parts(L, (const struct part[]){{kinds[is.kind].extension, is.extension, parts},
+                                               {kinds[is.kind].force, is.force, parts},
+                                               {0}});
 }
 
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
@@ -319,6 +364,10 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "of the point (y, z) of the section, m from the centroid.",
      NULL, NULL},
     {"position", position, "r:position(beam, at [, y, z])", "`{x, y, z}`, m, global axes.", NULL,
+     NULL},
+    {"velocity", velocity, "r:velocity(beam, at [, y, z])",
+     "Of a state of a motion, `{v1, v2, v3}`, m/s, global axes.", NULL, NULL},
+    {"acceleration", acceleration, "r:acceleration(beam, at [, y, z])", "Likewise, m/s^2.", NULL,
      NULL},
     {"rotation", rotation, "r:rotation(beam, at)",
      "The rotation vector of the section, rad, global axes.", NULL, NULL},
@@ -357,6 +406,12 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"reaction", reaction, "r:reaction(name)",
      "What the clamp or support called `name` does to its beam, a joint to its second beam: "
      "`force`, `{x, y, z}`, N, and `moment` about the place where it sits, N m, global axes.",
+     NULL, NULL},
+    {"spring", spring, "r:spring(name)",
+     "What the spring called `name` does, its damper included: `length`, m, and `force` that pulls "
+     "its places together, N; of torsion `angle`, rad, and `moment` that turns the second beam "
+     "back, N m; of a bushing `displacement`, `{x, y, z}`, m, and `force` that pushes the second "
+     "place back, N.",
      NULL, NULL},
     {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
     {0}};
@@ -401,22 +456,24 @@ static void warn_along(lua_State *L, const hobe_model *model)
     }
 }
 
-/* Pushes a result that is still empty, of the scene at index 1. */
-static struct result *new_result(lua_State *L, const hobe_model *model)
+hobe_solution **hobe_lua_new_result(lua_State *L, int scene)
 {
+    scene = lua_absindex(L, scene);
+    const struct hobe_lua_scene *of = lua_touserdata(L, scene);
     struct result *result = lua_newuserdatauv(L, sizeof *result, 1);
-    *result = (struct result){NULL, model};
+    *result = (struct result){NULL, of->model};
     hobe_lua_set_type(L, HOBE_LUA_RESULT, finalize, hobe_lua_result_methods, get_field);
-    lua_pushvalue(L, 1);
+    lua_pushvalue(L, scene);
     lua_setiuservalue(L, -2, 1);
-    return result;
+    return &result->solution;
 }
 
-/* The scene and the table of options of a verb, the schema's name. */
-static struct hobe_lua_scene *read_arguments(lua_State *L, const struct hobe_lua_schema *schema,
-                                             void *options, size_t size)
+struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
+                                          void *options, size_t size)
 {
     lua_settop(L, 2);
+    if (hobe_lua_context(L)->called)
+        hobe_lua_fail(L, "%s: a function that a solver calls cannot solve", schema->name);
     struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
     if (!scene)
         hobe_lua_fail(L, "%s must be given a scene, %s(hobe.scene{...}), got %s", schema->name,
@@ -454,6 +511,9 @@ static const struct hobe_lua_key static_keys[] = {
                   "the reference: of this scene or of one of the same shape, under another load "
                   "or of other size; not by series"),
     NEWTON(steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 1, .doc = "load steps to begin with"),
+    NEWTON(time, KEY_NUMBER, KEY_FROM(0), .unit = "s",
+           .doc = "when functions of time are taken; load steps go to the motions of joints there, "
+                  "as to the loads"),
     NEWTON(tolerance, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-9,
            .doc = "residual to reach, relative to the load"),
     NEWTON(max_iterations, KEY_WHOLE, KEY_WITHIN(1, 1000), .fallback = 30,
@@ -484,24 +544,24 @@ static void note_change(lua_State *L, const hobe_solution *solution)
 static int solve_static(lua_State *L)
 {
     struct options options;
-    struct hobe_lua_scene *scene = read_arguments(L, &static_schema, &options, sizeof options);
+    struct hobe_lua_scene *scene = hobe_lua_read_verb(L, &static_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
     options.newton.no_line_search = !options.line_search;
-    struct result *result = new_result(L, scene->model);
+    hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
     hobe_lua_pause_clock();
     begin_watch(&watch, hobe_lua_context(L), options.log);
-    enum hobe_status status = hobe_static(scene->model, &options.newton, &result->solution, &err);
+    enum hobe_status status = hobe_static(scene->model, &options.newton, solution, &err);
     end_watch(&watch);
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    note_change(L, result->solution);
+    note_change(L, *solution);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
-        warn(L, result->solution, beam, "", HOBE_WARNING_NONE);
+        warn(L, *solution, beam, "", HOBE_WARNING_NONE);
     return 1;
 }
 
@@ -598,8 +658,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     hobe_path_info(path, &info);
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
-        struct result *result = new_result(L, model);
-        result->solution = hobe_path_take(path, i);
+        *hobe_lua_new_result(L, 1) = hobe_path_take(path, i);
         lua_rawseti(L, -2, i + 1);
     }
     lua_pushstring(L, ends[info.end]);
@@ -622,7 +681,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
 static int solve_path(lua_State *L)
 {
     struct path_options options;
-    struct hobe_lua_scene *scene = read_arguments(L, &path_schema, &options, sizeof options);
+    struct hobe_lua_scene *scene = hobe_lua_read_verb(L, &path_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
     if (options.path.to == 0)

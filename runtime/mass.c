@@ -12,50 +12,93 @@ static const double *element_mass(const struct beam *beam, int e)
     return hobe_element_invariants(beam_law(beam, e))->mass;
 }
 
+void mass_element_force(const struct hobe_model *model, const struct beam *beam, int e,
+                        const double A[3][3], const double *a, double *f)
+{
+    const int V = beam->kernel->vectors;
+    const double *m = element_mass(beam, e);
+    for (int v = 0; v < V; v++) {
+        double sum[3] = {0}, *to = f + 3 * model_vector(model, beam, e, v);
+        for (int w = 0; w < V; w++)
+            for (int c = 0; c < 3; c++)
+                sum[c] += m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
+        for (int c = 0; c < 3; c++)
+            to[c] += dot3(A[c], sum);
+    }
+}
+
+static void element_matrix(const struct hobe_model *model, const struct beam *beam, int e,
+                           const double A[3][3], const struct matrix *K)
+{
+    const int V = beam->kernel->vectors;
+    for (int v = 0; v < V; v++)
+        for (int w = 0; w < V; w++) {
+            double block[3][3];
+            for (int c = 0; c < 9; c++)
+                block[c / 3][c % 3] = element_mass(beam, e)[v * V + w] * A[c / 3][c % 3];
+            tangent_add(model, beam, e, v, w, (const double(*)[3])block, K);
+        }
+}
+
+void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                   const double *a, double *f)
+{
+    for (int e = 0; e < beam->spec.elements; e++)
+        mass_element_force(model, beam, e, MASS_ISOTROPIC(factor), a, f);
+}
+
+void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                    const struct matrix *K)
+{
+    for (int e = 0; e < beam->spec.elements; e++)
+        element_matrix(model, beam, e, MASS_ISOTROPIC(factor), K);
+}
+
+void mass_force_through(const struct hobe_model *model, const double A[3][3], const double *a,
+                        double *f)
+{
+    for (size_t i = 0; i < model->beams.count; i++)
+        for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
+            mass_element_force(model, model_beam(model, i), e, A, a, f);
+}
+
+void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
+                         const struct matrix *K)
+{
+    for (size_t i = 0; i < model->beams.count; i++)
+        for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
+            element_matrix(model, model_beam(model, i), e, A, K);
+}
+
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
 {
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++) {
-            const double *m = element_mass(beam, e);
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++)
-                    for (int c = 0; c < 3; c++)
-                        f[3 * model_vector(model, beam, e, v) + c] +=
-                            factor * m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
-        }
-    }
+    mass_force_through(model, MASS_ISOTROPIC(factor), a, f);
 }
 
 void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K)
 {
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++)
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++) {
-                    const double m = factor * element_mass(beam, e)[v * V + w];
-                    const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
-                    tangent_add(model, beam, e, v, w, block, K);
-                }
-    }
+    mass_matrix_through(model, MASS_ISOTROPIC(factor), K);
+}
+
+double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
+                       const double *b)
+{
+    const int V = beam->kernel->vectors;
+    double sum = 0;
+    for (int e = 0; e < beam->spec.elements; e++)
+        for (int v = 0; v < V; v++)
+            for (int w = 0; w < V; w++)
+                sum += element_mass(beam, e)[v * V + w] *
+                       dot3(a + 3 * model_vector(model, beam, e, v),
+                            b + 3 * model_vector(model, beam, e, w));
+    return sum;
 }
 
 double mass_product(const struct hobe_model *model, const double *a, const double *b)
 {
     double sum = 0;
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const int V = beam->kernel->vectors;
-        for (int e = 0; e < beam->spec.elements; e++)
-            for (int v = 0; v < V; v++)
-                for (int w = 0; w < V; w++)
-                    sum += element_mass(beam, e)[v * V + w] *
-                           dot3(a + 3 * model_vector(model, beam, e, v),
-                                b + 3 * model_vector(model, beam, e, w));
-    }
+    for (size_t i = 0; i < model->beams.count; i++)
+        sum += mass_product_of(model, model_beam(model, i), a, b);
     return sum;
 }
 

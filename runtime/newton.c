@@ -5,9 +5,13 @@
 
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
+#include "inertia.h"
 #include "load.h"
+#include "mass.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 
 #include <float.h>
 #include <math.h>
@@ -96,9 +100,21 @@ static double work_of(const struct solver *s)
 
 static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
-    assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, K);
-    constraint_add(s->model, s->u, &AT_REST, s->r, K);
-    load_subtract(s->model, s->u, &AT_REST, factor, s->r, K);
+    const struct motion *m = &s->motion;
+    const struct matrix *stiffness = m->mass_alone ? NULL : K;
+    struct instant instant = m->instant;
+    instant.held_back = 1 - factor;
+    assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, stiffness);
+    if (K && m->mass_alone)
+        pattern_clear(s->model, K);
+    constraint_add(s->model, s->u, &instant, s->r, K);
+    spring_add(s->model, s->u, &instant, s->r, stiffness);
+    damping_add(s->model, s->u, &instant, s->r, stiffness);
+    load_subtract(s->model, s->u, &instant, factor, s->r, stiffness);
+    for (long i = 0; m->force && i < 3 * s->model->moving; i++)
+        s->r[i] += m->force[i];
+    if (K && (m->inertia > 0 || m->mass_alone))
+        mass_matrix(s->model, m->mass_alone ? 1 : m->inertia, K);
 }
 
 void solver_evaluate(struct solver *s, double factor, enum tangent tangent)
@@ -144,10 +160,20 @@ enum outcome solver_factor(struct solver *s, struct hobe_error *err)
     return status == HOBE_SINGULAR ? FAILED : status ? ERROR : CONVERGED;
 }
 
-long solver_negative(const struct solver *s)
+enum hobe_status solver_negative(struct solver *s, long *negative, struct hobe_error *err)
 {
-    return s->factored == FRONTS ? fronts_negative(s->model->fronts)
-                                 : hobe_linsolve_negative(s->model->solver);
+    long spare;
+    const long multipliers = inertia_multipliers(s->model, &spare);
+    if (s->factored == FRONTS)
+        *negative = fronts_negative(s->model->fronts) - multipliers;
+    else if (multipliers == 0)
+        *negative = hobe_linsolve_negative(s->model->solver);
+    else {
+        const enum hobe_status status =
+            inertia_behind_ties(s->model, s->pivoting.value, s->scale, negative, err);
+        return status ? status : factor_in_columns(s, err);
+    }
+    return HOBE_OK;
 }
 
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,
@@ -225,6 +251,8 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
         const int far = s->now.iteration > 0 && last_norm > NEAR * first_norm;
         solver_evaluate(s, factor, far ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
+        if (model_failure(s->model, err))
+            return ERROR;
         if (s->now.iteration == 0)
             first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
@@ -410,6 +438,17 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     return pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err);
 }
 
+enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err)
+{
+    if (s->K.layout == COLUMNS)
+        return HOBE_OK;
+    hobe_free(s->K.value);
+    s->K.value = NULL;
+    if (pattern_columns(s->model, err))
+        return HOBE_NO_MEMORY;
+    return pattern_matrix(s->model, COLUMNS, &s->K, err);
+}
+
 void solver_close(struct solver *s)
 {
     hobe_free(s->u);
@@ -441,27 +480,19 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
     *s = (struct solver){.model = model, .options = *options, .singular = -1};
     s->info.negative = -1;
     set_defaults(&s->options);
+    s->motion.instant.time = s->info.time = options->time;
     const enum hobe_status status = allocate(s, err);
-    if (!status)
-        set_scale(s);
-    return status;
+    if (status)
+        return status;
+    set_scale(s);
+    return model_failure(model, err);
 }
 
 hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err)
 {
-    const size_t vectors = (size_t)(3 * s->model->vectors);
-    hobe_solution *solution = hobe_alloc(1, sizeof *solution, err);
-    double *u = solution ? hobe_alloc(vectors, sizeof *u, err) : NULL;
-    if (!u) {
-        hobe_free(solution);
-        return NULL;
-    }
-    for (long v = 0; v < s->model->vectors; v++) /* joined vectors move together */
-        memcpy(u + 3 * v, s->u + 3 * s->model->alias[v], 3 * sizeof *u);
-    s->info.energy = assemble_energy(s->model, u);
+    s->info.energy = assemble_energy(s->model, s->u) + spring_energy(s->model, s->u);
     s->info.seconds = hobe_seconds() - started;
-    *solution = (struct hobe_solution){s->model, u, s->info};
-    return solution;
+    return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
 }
 
 /* The end of the path to the full load. */
@@ -502,6 +533,8 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     struct solver s;
     *solution = NULL;
     enum hobe_status status = hobe_model_build(model, err);
+    if (!status)
+        status = model_check_held(model, err);
     if (status)
         return status;
     const double started = hobe_seconds();
@@ -519,16 +552,4 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     }
     solver_close(&s);
     return status;
-}
-
-void hobe_solution_free(hobe_solution *solution)
-{
-    if (solution)
-        hobe_free(solution->u);
-    hobe_free(solution);
-}
-
-void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info)
-{
-    *info = solution->info;
 }

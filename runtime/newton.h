@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the ways to equilibrium share: residual, tangent, correction and when to stop.  Between
- * newton.c (load steps) and path.c (arc length) only.
+/* What the ways to equilibrium and through time share: residual, tangent, correction and when to
+ * stop.  Between newton.c (load steps), path.c (arc length) and genalpha.c (steps in time) only.
  *
  * Residuals are measured in the norm |D r|, D = diag(K_0)^(-1/2) at the reference, which gives
  * forces on positions and on slopes of any mode the same unit (root of energy); the tangent is
@@ -10,9 +10,19 @@
 
 #include "model.h"
 
+/* What motion adds to statics: the residual gets the forces of inertia M w, the tangent M dw/du,
+ * and both take velocities from the instant.  All zero in statics. */
+struct motion {
+    struct instant instant;
+    const double *force; /* [vectors][3] M w, N; NULL: none */
+    double inertia;      /* dw/du, 1/s^2 */
+    int mass_alone;      /* the matrix is M bordered by the constraints' derivatives instead */
+};
+
 struct solver {
     hobe_model *model;
     struct hobe_newton options;
+    struct motion motion;
     double *u;       /* [vectors][3] accepted state, then the one being found */
     double *start;   /* state at the start of the step */
     double *r;       /* [vectors][3] residual F - factor Q */
@@ -39,6 +49,9 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
                              struct hobe_error *err);
 void solver_close(struct solver *s);
 
+/* Lays the tangent out in columns from now on, for what is not symmetric. */
+enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err);
+
 /* One line of the log, with a note. */
 void solver_log(struct solver *s, const char *note);
 
@@ -56,8 +69,9 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm);
 /* Factors of the tangent: CONVERGED, FAILED where it is singular, ERROR. */
 enum outcome solver_factor(struct solver *s, struct hobe_error *err);
 
-/* Negative eigenvalues of the tangent that was factored last; -1 where that is not known. */
-long solver_negative(const struct solver *s);
+/* The negative eigenvalues, on what constraints leave free, of the tangent that was factored last,
+ * which must be symmetric; -1 where that is not known. */
+enum hobe_status solver_negative(struct solver *s, long *negative, struct hobe_error *err);
 
 /* x = factor K^-1 field by the last factors. */
 enum hobe_status solver_solve(struct solver *s, const double *field, double factor, double *x,

@@ -5,6 +5,7 @@
 #include "constraint.h"
 #include "element.h"
 #include "joint.h"
+#include "spring.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,7 +20,7 @@ static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *e
         beam->first = model->vectors;
         model->vectors += (long)beam->step * (beam->spec.elements - 1) + beam->kernel->vectors;
     }
-    model->beam_vectors = model->vectors;
+    model->beam_vectors = model->moving = model->vectors;
     const size_t n = (size_t)model->vectors + model->joins.count + 2 * model->joints.count;
     model->alias = hobe_alloc(n, sizeof *model->alias, err);
     model->unknown = hobe_alloc(n, sizeof *model->unknown, err);
@@ -161,13 +162,14 @@ static void group_beams(const hobe_model *model, size_t *group)
                 group_of(group, owner(model, model->alias[v]));
 }
 
-/* A group with a clamp is held in all six rigid motions; others depend on joints and supports. */
-static enum hobe_status check_held(const hobe_model *model, struct hobe_error *err)
+/* A group with a clamp is held in all six rigid motions; others depend on joints and supports. What
+ * is free may move in time, and is only remembered. */
+static enum hobe_status check_held(hobe_model *model, struct hobe_error *err)
 {
     const size_t n = model->beams.count;
-    size_t *group = hobe_alloc(n, sizeof *group, err);
+    size_t *group = hobe_alloc(n, sizeof *group, &model->loose);
     unsigned char *clamped =
-        hobe_alloc(n, 1, err); /* for each root, whether its group has a clamp */
+        hobe_alloc(n, 1, &model->loose); /* for each root, whether its group has a clamp */
     enum hobe_status status = group && clamped ? HOBE_OK : HOBE_NO_MEMORY;
     if (!status)
         group_beams(model, group);
@@ -179,10 +181,10 @@ static enum hobe_status check_held(const hobe_model *model, struct hobe_error *e
     for (size_t i = 0; !status && i < n; i++)
         group[i] = group_of(group, i);
     if (!status)
-        status = joint_check_held(model, group, clamped, err);
+        status = joint_check_held(model, group, clamped, &model->loose);
     hobe_free(group);
     hobe_free(clamped);
-    return status;
+    return status == HOBE_NO_MEMORY ? model_check_held(model, err) : HOBE_OK;
 }
 
 static void number_unknowns(hobe_model *model)
@@ -199,6 +201,8 @@ enum hobe_status number_model(hobe_model *model, struct hobe_error *err)
         status = join_beams(model, err);
     if (!status)
         status = joint_beams(model, err);
+    if (!status)
+        status = spring_build(model, err);
     if (!status)
         status = hold_dropped(model, err);
     if (!status)

@@ -5,8 +5,8 @@
 
 #include "model.h"
 
-/* Lays out the vectors of all beams, joins and holds them, checks that no beam is free to move,
- * numbers the unknowns, and checks that no joint is one too many. */
+/* Lays out the vectors of all beams, joins and holds them, looks what is free to move
+ * (model_check_held), numbers the unknowns, and checks that no joint is one too many. */
 enum hobe_status number_model(hobe_model *model, struct hobe_error *err);
 
 /* Makes one of the vectors that joined beams share, and adds corners (join.c). */

@@ -14,6 +14,7 @@
  * By series (series.h) a step goes along the path itself, as far as its power series is good, and
  * at most to the end of the path or past one limit point.  The same plane and iteration correct
  * what the series has left open. */
+#include "drive.h"
 #include "inertia.h"
 #include "load.h"
 #include "newton.h"
@@ -96,7 +97,7 @@ static double distance(const struct follower *f, const struct plane *p, const do
 static enum hobe_status solve_load(struct follower *f, struct hobe_error *err)
 {
     memset(f->force, 0, (size_t)(3 * f->s.model->vectors) * sizeof *f->force);
-    load_subtract(f->s.model, f->s.u, &AT_REST, -1, f->force, NULL);
+    load_subtract(f->s.model, f->s.u, &f->s.motion.instant, -1, f->force, NULL);
     return solver_solve(&f->s, f->force, 1, f->q, err);
 }
 
@@ -130,6 +131,8 @@ static enum outcome iterate(struct follower *f, const struct plane *plane, struc
         solver_evaluate(s, f->lambda, s->now.iteration ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
         s->now.load = f->lambda;
+        if (model_failure(s->model, err))
+            return ERROR;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome == CONVERGED && s->now.iteration > 0)
             return solver_check_volume(s, err);
@@ -148,17 +151,11 @@ static enum outcome iterate(struct follower *f, const struct plane *plane, struc
 static enum outcome count_and_factor(struct follower *f, struct hobe_error *err)
 {
     struct solver *s = &f->s;
-    long negative = -1, spare;
-    const int tied = inertia_multipliers(s->model, &spare) > 0;
+    long negative = -1;
     solver_evaluate(s, f->lambda, TRUE_TANGENT);
-    if (tied && f->symmetric) {
-        if (inertia_behind_ties(s->model, s->K.value, s->scale, &negative, err))
-            return ERROR;
-        solver_evaluate(s, f->lambda, TRUE_TANGENT);
-    }
     const enum outcome outcome = solver_factor(s, err);
-    if (outcome == CONVERGED && !tied && f->symmetric)
-        negative = solver_negative(s);
+    if (outcome == CONVERGED && f->symmetric && solver_negative(s, &negative, err))
+        return ERROR;
     s->info.negative = (int)negative;
     return outcome;
 }
@@ -530,6 +527,10 @@ static enum hobe_status start(struct follower *f, struct hobe_error *err)
     struct solver *s = &f->s;
     const hobe_model *model = s->model;
     double c = 0;
+    const struct hobe_joint *driven = drive_joint(model);
+    if (driven)
+        return hobe_fail(err, HOBE_BAD_INPUT, driven->where,
+                         "a path follows loads and cannot follow a driven joint; use hobe.static");
     if (!(s->load_norm > 0))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "a path needs loads, and the scene has none");
     const enum outcome outcome = count_and_factor(f, err);
@@ -628,6 +629,8 @@ enum hobe_status hobe_path_follow(hobe_model *model, const struct hobe_path_opti
     struct follower f = {.options = *options};
     *path = NULL;
     enum hobe_status status = hobe_model_build(model, err);
+    if (!status)
+        status = model_check_held(model, err);
     if (status)
         return status;
     f.started = hobe_seconds();

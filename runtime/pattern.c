@@ -3,6 +3,7 @@
 
 #include "constraint.h"
 #include "load.h"
+#include "spring.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,8 +24,20 @@ static long unknown(const struct hobe_model *model, const struct beam *beam, int
     return model->unknown[model_vector(model, beam, e, v)];
 }
 
-/* Calls visit for every pair of unknown vectors (i, j) that an element or a joint couples, repeats
- * included. */
+/* What couples vectors beside the elements: ties, then springs. */
+static size_t couplings(const struct hobe_model *model)
+{
+    return model->ties.count + model->springs.count;
+}
+
+static struct tie *coupling(const struct hobe_model *model, size_t i)
+{
+    const size_t ties = model->ties.count;
+    return i < ties ? model_tie(model, i) : &model_spring(model, i - ties)->tie;
+}
+
+/* Calls visit for every pair of unknown vectors (i, j) that an element, joint or spring couples,
+ * repeats included. */
 static void each_pair(const struct hobe_model *model, void (*visit)(struct pattern *, long, long),
                       struct pattern *pattern)
 {
@@ -38,8 +51,8 @@ static void each_pair(const struct hobe_model *model, void (*visit)(struct patte
                         visit(pattern, i, j);
                 }
     }
-    for (size_t n = 0; n < model->ties.count; n++) {
-        const struct tie *tie = model_tie(model, n);
+    for (size_t n = 0; n < couplings(model); n++) {
+        const struct tie *tie = coupling(model, n);
         for (int w = 0; w < tie->vectors; w++)
             for (int v = 0; v < tie->vectors; v++) {
                 const long i = model->unknown[tie->vector[v]], j = model->unknown[tie->vector[w]];
@@ -141,8 +154,24 @@ static enum hobe_status map_beam(const struct hobe_model *model, enum layout lay
     return HOBE_OK;
 }
 
-static enum hobe_status map_beams(struct hobe_model *model, enum layout layout,
-                                  struct hobe_error *err)
+static enum hobe_status map_tie(const struct hobe_model *model, enum layout layout, struct tie *tie,
+                                struct hobe_error *err)
+{
+    long *place = hobe_alloc((size_t)(tie->vectors * tie->vectors), sizeof *place, err);
+    tie->place[layout] = place;
+    if (!place)
+        return HOBE_NO_MEMORY;
+    for (int v = 0; v < tie->vectors; v++)
+        for (int w = 0; w < tie->vectors; w++) {
+            const long i = model->unknown[tie->vector[v]], j = model->unknown[tie->vector[w]];
+            *place++ = i >= 0 && j >= 0 ? find_place(model, layout, i, j) : -1;
+        }
+    return HOBE_OK;
+}
+
+/* Where the blocks of beams, ties and springs are. */
+static enum hobe_status map_blocks(struct hobe_model *model, enum layout layout,
+                                   struct hobe_error *err)
 {
     int *stride = hobe_alloc((size_t)model->unknowns, sizeof *stride, err);
     model->stride[layout] = stride;
@@ -151,6 +180,8 @@ static enum hobe_status map_beams(struct hobe_model *model, enum layout layout,
         stride[j] = find_stride(model, layout, j);
     for (size_t b = 0; !status && b < model->beams.count; b++)
         status = map_beam(model, layout, model_beam(model, b), err);
+    for (size_t i = 0; !status && i < couplings(model); i++)
+        status = map_tie(model, layout, coupling(model, i), err);
     return status;
 }
 
@@ -167,16 +198,10 @@ static void drop_columns(struct hobe_model *model)
         hobe_free(model_beam(model, b)->place[COLUMNS]);
         model_beam(model, b)->place[COLUMNS] = NULL;
     }
-}
-
-static void tie_map(const struct hobe_model *model, const struct tie *tie)
-{
-    long *block = tie->block;
-    for (int v = 0; v < tie->vectors; v++)
-        for (int w = 0; w < tie->vectors; w++) {
-            const long i = model->unknown[tie->vector[v]], j = model->unknown[tie->vector[w]];
-            *block++ = i >= 0 && j >= 0 ? find_block(&model->pattern, i, j) : -1;
-        }
+    for (size_t i = 0; i < couplings(model); i++) {
+        hobe_free(coupling(model, i)->place[COLUMNS]);
+        coupling(model, i)->place[COLUMNS] = NULL;
+    }
 }
 
 static enum hobe_status block_columns(struct hobe_model *model, struct hobe_error *err)
@@ -204,14 +229,24 @@ enum hobe_status pattern_columns(struct hobe_model *model, struct hobe_error *er
         return HOBE_OK;
     enum hobe_status status = scalar_columns(p, err);
     if (!status)
-        status = map_beams(model, COLUMNS, err);
-    for (size_t i = 0; !status && i < model->ties.count; i++)
-        tie_map(model, model_tie(model, i));
+        status = map_blocks(model, COLUMNS, err);
     if (!status)
         model->solver = hobe_linsolve_analyse(3 * p->blocks, p->Ap, p->Ai, err);
     if (!model->solver)
         drop_columns(model);
     return model->solver ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+/* Blocks of multipliers, which are numbered behind all others. */
+static long multipliers(const struct hobe_model *model)
+{
+    long count = 0;
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        for (int b = 0; b < tie->blocks; b++)
+            count += model->unknown[tie->multiplier + b] >= 0;
+    }
+    return count;
 }
 
 enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
@@ -220,10 +255,10 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
     const enum hobe_status status = block_columns(model, err);
     if (status)
         return status;
-    if (load_follower(model) || model->ties.count > 0)
+    if (load_follower(model))
         return pattern_columns(model, err);
-    model->fronts = fronts_analyse(p->blocks, p->start, p->row, err);
-    return model->fronts ? map_beams(model, FRONTS, err) : HOBE_NO_MEMORY;
+    model->fronts = fronts_analyse(p->blocks, multipliers(model), p->start, p->row, err);
+    return model->fronts ? map_blocks(model, FRONTS, err) : HOBE_NO_MEMORY;
 }
 
 static size_t values(const struct hobe_model *model, enum layout layout)
@@ -248,6 +283,19 @@ void pattern_clear(const struct hobe_model *model, const struct matrix *matrix)
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
     for (size_t i = 0; i < size; i += share)
         memset(matrix->value + i, 0, (size - i < share ? size - i : share) * sizeof(double));
+}
+
+void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double *fronts)
+{
+    const struct pattern *p = &model->pattern;
+    pattern_clear(model, &(struct matrix){FRONTS, fronts});
+    for (long j = 0; j < p->blocks; j++)
+        for (long b = p->start[j]; b < p->start[j + 1]; b++) {
+            const long at = fronts_place(model->fronts, p->row[b], j);
+            for (int c = 0; at >= 0 && c < 3; c++)
+                memcpy(fronts + at + c * model->stride[FRONTS][j],
+                       Ax + pattern_scalar(p, j, b, 0, c), 3 * sizeof *Ax);
+        }
 }
 
 static void scale_columns(const struct pattern *p, const double *Ax, double *scale)

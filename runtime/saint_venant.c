@@ -3,6 +3,7 @@
 
 #include "linsolve.h"
 #include "mesh_triangle.h"
+#include "section_mirror.h"
 
 #include <math.h>
 #include <string.h>
@@ -270,6 +271,8 @@ static enum hobe_status make_orthogonal(const hobe_section *section, const struc
                 *value += T[FUNCTION + f][j] * g[j];
         }
     }
+    for (int f = 0; f < HOBE_SECTION_FUNCTIONS; f++)
+        mirror_restore(mesh, values + f * mesh->nodes);
     return HOBE_OK;
 }
 

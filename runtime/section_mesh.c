@@ -3,6 +3,7 @@
 #include "section_mesh.h"
 
 #include "outline.h"
+#include "section_mirror.h"
 
 #include <dlfcn.h>
 #include <gmshc.h>
@@ -42,6 +43,8 @@ struct job {
     double unit;         /* of lengths in gmsh, m: the section's extent, for absolute tolerances */
     int points;          /* of all parts */
     int *tags;           /* scratch, [points] */
+    int mirrored[2];     /* whether all outlines are their own image under y -> 2 at[0] - y; z */
+    double at[2];        /* m */
 };
 
 static double cross(const double a[2], const double b[2])
@@ -210,7 +213,10 @@ static void join_corners(struct job *job)
     X(gmshModelOccAddLine)                                                                         \
     X(gmshModelOccAddPlaneSurface)                                                                 \
     X(gmshModelOccAddPoint)                                                                        \
+    X(gmshModelOccAddRectangle)                                                                    \
     X(gmshModelOccFragment)                                                                        \
+    X(gmshModelOccGetEntities)                                                                     \
+    X(gmshModelOccIntersect)                                                                       \
     X(gmshModelOccSynchronize)                                                                     \
     X(gmshOptionSetNumber)
 
@@ -259,7 +265,9 @@ static void set_options(int *ierr)
         gmsh.gmshOptionSetNumber(option[i].name, option[i].value, ierr);
 }
 
-/* Loop l of a part: points and lines have the same tags, those of the loop follow `before`. */
+/* Loop l of a part: points and lines have the same tags, those of the loop follow `before`.  All
+ * run anticlockwise: halves of a surface whose hole runs the other way would be those of the hole.
+ */
 static void add_loop(struct job *job, const struct hobe_outline *o, int l, int before, int loop,
                      int *ierr)
 {
@@ -268,9 +276,9 @@ static void add_loop(struct job *job, const struct hobe_outline *o, int l, int b
         gmsh.gmshModelOccAddPoint(o->point[i][0] / job->unit, o->point[i][1] / job->unit, 0, 0,
                                   before + i + 1, ierr);
     for (int i = from; !*ierr && i < to; i++) {
-        job->tags[i - from] = before + i + 1;
-        gmsh.gmshModelOccAddLine(before + i + 1, before + hobe_outline_next(o, l, i) + 1,
-                                 before + i + 1, ierr);
+        const int point[2] = {before + i + 1, before + hobe_outline_next(o, l, i) + 1};
+        job->tags[l ? to - 1 - i : i - from] = point[0];
+        gmsh.gmshModelOccAddLine(point[l > 0], point[l == 0], point[0], ierr);
     }
     if (!*ierr)
         gmsh.gmshModelOccAddCurveLoop(job->tags, (size_t)(to - from), loop, ierr);
@@ -293,22 +301,49 @@ static void add_parts(struct job *job, int *ierr)
     }
 }
 
-/* Cuts the surfaces where they meet, so that they share edges. */
-static void join_parts(struct job *job, int *ierr)
+static void free_map(int **map, size_t *counts, size_t maps)
 {
-    int *surface = job->tags, *out = NULL, **map = NULL; /* surface: pairs of dimension and tag */
-    size_t outs, *counts = NULL, maps = 0;
-    for (int k = 0; k < job->parts; k++) {
-        surface[2 * k] = 2;
-        surface[2 * k + 1] = k + 1;
-    }
-    gmsh.gmshModelOccFragment(surface, 2, surface + 2, 2 * (size_t)job->parts - 2, &out, &outs,
-                              &map, &counts, &maps, -1, 1, 1, ierr);
     for (size_t i = 0; i < maps; i++)
         gmsh.gmshFree(map[i]);
     gmsh.gmshFree(map);
     gmsh.gmshFree(counts);
+}
+
+/* Leaves of the surfaces what lies on the positive sides of their mirrors. */
+static void halve(const struct job *job, int *ierr)
+{
+    const double far = 4; /* beyond a section of extent 1 */
+    double corner[2], size[2];
+    int *surface = NULL, *out = NULL, **map = NULL;
+    size_t surfaces = 0, outs, *counts = NULL, maps = 0;
+    for (int a = 0; a < 2; a++) {
+        corner[a] = job->at[a] / job->unit - (job->mirrored[a] ? 0 : far);
+        size[a] = job->mirrored[a] ? far : 2 * far;
+    }
+    gmsh.gmshModelOccGetEntities(&surface, &surfaces, 2, ierr);
+    if (!*ierr) {
+        int half[2] = {2, gmsh.gmshModelOccAddRectangle(corner[0], corner[1], 0, size[0], size[1],
+                                                        -1, 0, ierr)};
+        gmsh.gmshModelOccIntersect(surface, surfaces, half, 2, &out, &outs, &map, &counts, &maps,
+                                   -1, 1, 1, ierr);
+    }
+    free_map(map, counts, maps);
     gmsh.gmshFree(out);
+    gmsh.gmshFree(surface);
+}
+
+/* Cuts the surfaces where they meet, so that they share edges. */
+static void join_parts(int *ierr)
+{
+    int *surface = NULL, *out = NULL, **map = NULL;
+    size_t surfaces = 0, outs, *counts = NULL, maps = 0;
+    gmsh.gmshModelOccGetEntities(&surface, &surfaces, 2, ierr);
+    if (!*ierr)
+        gmsh.gmshModelOccFragment(surface, 2, surface + 2, surfaces - 2, &out, &outs, &map, &counts,
+                                  &maps, -1, 1, 1, ierr);
+    free_map(map, counts, maps);
+    gmsh.gmshFree(out);
+    gmsh.gmshFree(surface);
 }
 
 static void generate(struct job *job, int *ierr)
@@ -316,7 +351,9 @@ static void generate(struct job *job, int *ierr)
     set_options(ierr);
     add_parts(job, ierr);
     if (!*ierr && job->parts > 1)
-        join_parts(job, ierr);
+        join_parts(ierr);
+    if (!*ierr && (job->mirrored[0] || job->mirrored[1]))
+        halve(job, ierr);
     if (!*ierr)
         gmsh.gmshModelOccSynchronize(ierr);
     if (!*ierr)
@@ -470,6 +507,9 @@ static enum hobe_status run(struct job *job, struct hobe_mesh *mesh, struct hobe
         status = take(&raw, job->unit, mesh, err);
     free_raw(&raw);
     gmsh.gmshFinalize(&ignored);
+    for (int a = 0; a < 2; a++)
+        if (!status && job->mirrored[a])
+            status = mirror_mesh(mesh, a, job->at[a], SAME * job->unit, err);
     if (!status)
         status = set_regions(job, mesh, err);
     return status ? status : check_joined(job, mesh, err);
@@ -498,6 +538,8 @@ static enum hobe_status set_job(int parts, const struct hobe_outline *outline, s
     job->unit = fmax(high[0] - low[0], high[1] - low[1]);
     if (parts > 1)
         join_corners(job);
+    for (int a = 0; a < 2; a++)
+        job->mirrored[a] = mirror_outlines(parts, outline, a, SAME * job->unit, job->at + a);
     job->tags = hobe_alloc((size_t)job->points, sizeof *job->tags, err);
     return job->tags ? HOBE_OK : HOBE_NO_MEMORY;
 }
@@ -535,6 +577,7 @@ enum hobe_status hobe_mesh_copy(const struct hobe_mesh *from, struct hobe_mesh *
                              hobe_alloc(n, sizeof *to->node, err),
                              hobe_alloc(t, sizeof *to->triangle, err),
                              hobe_alloc(t, sizeof *to->region, err),
+                             {NULL, NULL},
                              NULL};
     if (!to->node || !to->triangle || !to->region) {
         hobe_mesh_free(to);
@@ -563,6 +606,8 @@ void hobe_mesh_free(struct hobe_mesh *mesh)
     hobe_free(mesh->node);
     hobe_free(mesh->triangle);
     hobe_free(mesh->region);
+    hobe_free(mesh->image[0]);
+    hobe_free(mesh->image[1]);
     hobe_mesh_free_index(mesh);
     *mesh = (struct hobe_mesh){0};
 }

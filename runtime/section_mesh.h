@@ -18,6 +18,8 @@ struct hobe_mesh {
     double (*node)[2];             /* y, z, m */
     int (*triangle)[6];            /* corners anticlockwise, then the middles of sides 01, 12, 20 */
     int *region;                   /* [triangles] the outline a triangle lies in */
+    int *image[2];                 /* [nodes] the mirror images under y -> -y and z -> -z about the
+                                      middle, where the outlines are their own; else NULL */
     struct hobe_mesh_index *index; /* for hobe_mesh_find; NULL where none is set */
 };
 

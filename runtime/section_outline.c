@@ -336,24 +336,14 @@ static void set_wagner(struct shape *s, const struct hobe_rule *fan)
 }
 
 /* On the paper's parts w is theirs.  They have two axes of symmetry, where any such w is orthogonal
- * to wy and wz.  The mesh does not know where one part ends and another begins, and gives J_w and
- * Iw of theirs to 1e-4 only; they are integrated part by part. */
-static enum hobe_status set_warping(struct shape *s, struct hobe_error *err)
+ * to wy and wz. */
+static void set_warping(struct shape *s)
 {
-    struct hobe_rule rule;
-    if (!s->paper) {
-        hobe_section_set_warping(&s->base, &s->functions_rule);
-        return HOBE_OK;
-    }
-    for (int i = 0; i < s->functions_rule.rule.points; i++) {
+    for (int i = 0; s->paper && i < s->functions_rule.rule.points; i++) {
         struct hobe_section_point *at = s->functions_rule.point + i;
         parts_warping(&s->parts, at->y, at->z, at->f[HOBE_W]);
     }
-    const enum hobe_status status = parts_rule(&s->parts, 5, &rule, err);
-    if (!status)
-        hobe_section_set_warping(&s->base, &rule);
-    hobe_rule_free(&rule);
-    return status;
+    hobe_section_set_warping(&s->base, &s->functions_rule);
 }
 
 enum hobe_status hobe_shape_solve(struct shape *s, struct hobe_error *err)
@@ -374,16 +364,40 @@ enum hobe_status hobe_shape_solve(struct shape *s, struct hobe_error *err)
     return HOBE_OK;
 }
 
+/* On the paper's parts, where w has other branches, triangles end at their seams. */
+static enum hobe_status mesh_parts(struct shape *s, struct hobe_error *err)
+{
+    struct hobe_outline outline[HOBE_MAX_PARTS] = {0};
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; !status && i < s->parts.count; i++) {
+        const struct hobe_part *p = s->parts.part + i;
+        const double y = p->width / 2, z = p->height / 2;
+        const double corner[4][2] = {
+            {p->y - y, p->z - z}, {p->y + y, p->z - z}, {p->y + y, p->z + z}, {p->y - y, p->z + z}};
+        status = hobe_outline_new(1, &(int){4}, corner, outline + i, err);
+    }
+    if (!status)
+        status = hobe_mesh_outlines(s->parts.count, outline, &s->mesh, err);
+    for (int t = 0; !status && t < s->mesh.triangles; t++)
+        s->mesh.region[t] = 0;
+    for (int i = 0; i < s->parts.count; i++)
+        hobe_outline_free(outline + i);
+    return status;
+}
+
 /* Mesh, functions and everything that needs them. */
 static enum hobe_status solve(struct shape *s, struct hobe_error *err)
 {
-    enum hobe_status status = hobe_mesh_outlines(s->base.regions, s->outline, &s->mesh, err);
+    enum hobe_status status = s->paper
+                                  ? mesh_parts(s, err)
+                                  : hobe_mesh_outlines(s->base.regions, s->outline, &s->mesh, err);
     if (!status)
         status = hobe_shape_solve(s, err);
     if (status)
         return status;
     hobe_section_set_shear(&s->base, &s->functions_rule);
-    return set_warping(s, err);
+    set_warping(s);
+    return HOBE_OK;
 }
 
 /* For r^4: 3 x 3 points an edge. */

@@ -14,10 +14,36 @@ static long size_of(const struct series *series)
     return 3 * series->s->model->vectors;
 }
 
+static int has_function(const struct hobe_model *model)
+{
+    const struct hobe_force *force = model->forces.item;
+    for (size_t i = 0; i < model->forces.count; i++)
+        if (force[i].function)
+            return 1;
+    return 0;
+}
+
+/* What a series would have to know the powers of, and does not. */
+static enum hobe_status check(const struct hobe_model *model, struct hobe_error *err)
+{
+    const char *unknown = model->spin.speed != 0     ? "a scene that spins"
+                          : model->springs.count > 0 ? "springs"
+                          : has_function(model)      ? "forces that are functions of the state"
+                                                     : NULL;
+    if (!unknown)
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "method = \"series\" knows no power series of %s; use method = \"newton\"",
+                     unknown);
+}
+
 enum hobe_status series_open(struct series *series, struct solver *s, struct hobe_error *err)
 {
     const size_t n = (size_t)(3 * s->model->vectors);
     *series = (struct series){.s = s};
+    const enum hobe_status status = check(s->model, err);
+    if (status)
+        return status;
     series->u = hobe_alloc(2 * (SERIES_ORDER + 1), sizeof *series->u, err);
     series->lambda = hobe_alloc(SERIES_ORDER + 1, sizeof *series->lambda, err);
     series->q = hobe_alloc((size_t)(3 * s->model->unknowns), sizeof *series->q, err);

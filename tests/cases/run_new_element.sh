@@ -110,6 +110,10 @@ awk -F, '
     }' "$folder/BE24w.csv" "$folder/TEST2yz.csv" "$folder/TEST2explicit.csv" ||
     fail "the new elements differ"
 
+"$build/hobe" bench --element TEST2yz --quick --seconds 0.001 --format csv >"$folder/bench.csv" ||
+    fail "TEST2yz cannot be timed"
+grep -q "TEST2yz,.*,eq. 28," "$folder/bench.csv" || fail "no times of TEST2yz: $(cat "$folder/bench.csv")"
+
 # ---- a bad declaration ends in its sentence -----------------------------------------------------
 
 sed -i 's/like  = "y"/like  = "x"/' "$folder/TEST2yz.toml"

@@ -70,7 +70,8 @@ static void outlines(void)
     if (!profile)
         check_stop("%s", err.message);
     const struct hobe_section_properties p = properties_of(profile), q = properties_of(second);
-    check_that(p.J == q.J && p.J_w != q.J_w, "another warping function is another content");
+    check_that(p.J_w != q.J_w, "another warping function is another content");
+    check_relative(p.J, q.J, 1e-4, "J, on triangles that end at the seams of eq. 34");
     check_that(strstr(hobe_section_text(second), "polygon") != NULL, "each has its own text: %s",
                hobe_section_text(second));
     hobe_section_free(profile);

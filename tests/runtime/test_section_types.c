@@ -91,7 +91,8 @@ static void thin_walls(void)
                                              profile(HOBE_PROFILE_I, &PAPER_I, HOBE_WARPING_PAPER));
     check_absolute(hollow_36.J_w / hollow_36.J, 1.24, 5e-3, "eq. 36 on the hollow");
     check_absolute(box_36.J_w / box_36.J, 1.16, 5e-3, "eq. 36 on the box");
-    check_that(I_34.J_w > I_34.J && I_34.J == I.J, "eq. 34 is stiffer than the solution");
+    check_that(I_34.J_w > I_34.J, "eq. 34 is stiffer than the solution");
+    check_relative(I_34.J, I.J, 1e-4, "J, on triangles that end at the seams of eq. 34");
 }
 
 /* Thin-wall theory on walls of 1/50: shear centres to the wall's thickness. */
@@ -223,16 +224,43 @@ static hobe_element *element_of(const char *kernel, const hobe_section *section,
     return hobe_element_new(&options, err);
 }
 
+/* What is solved on a section that is its own image has its symmetry to the last digit, so that
+ * kernels can use it; about an axis of symmetry w is odd. */
+static void parity(hobe_section *section, double sign_y, double sign_z)
+{
+    for (int i = 0; i < 20; i++) {
+        double f[3], g[3], h[3];
+        struct hobe_error err;
+        const double y = random_real(-.05, .05), z = random_real(-.05, .05);
+        hobe_section_function(section, "w", y, z, f, &err);
+        hobe_section_function(section, "w", -y, z, g, &err);
+        hobe_section_function(section, "w", y, -z, h, &err);
+        const double size = fabs(f[0]) + .1 * .1;
+        if (sign_y != 0)
+            check_absolute(g[0], sign_y * f[0], 1e-13 * size, "w(-y, z) at (%g, %g)", y, z);
+        if (sign_z != 0)
+            check_absolute(h[0], sign_z * f[0], 1e-13 * size, "w(y, -z) at (%g, %g)", y, z);
+    }
+    hobe_section_free(section);
+}
+
+static void symmetric_sections_have_symmetric_functions(void)
+{
+    static const struct hobe_profile_sizes T = {
+        .height = .1, .width = .1, .flange = .03, .web = .04};
+    parity(profile(HOBE_PROFILE_I, &PAPER_I, HOBE_WARPING_SOLVED), -1, -1);
+    parity(hollow(.1, .1, .04, HOBE_WARPING_SOLVED), -1, -1);
+    parity(profile(HOBE_PROFILE_T, &T, HOBE_WARPING_SOLVED), -1, 0);
+    parity(profile(HOBE_PROFILE_CHANNEL, &T, HOBE_WARPING_SOLVED), 0, -1);
+}
+
 /* EA, EI and GJ of a beam are those of its section, also where axes couple.  A product of three
- * unsymmetric solutions leaves rounding times I_p/J in GJ.  Where w is the paper's and wy and wz
- * are solved, the mesh integrates all; it does not know the parts, nor J_w of theirs but to 1e-4.
- */
+ * unsymmetric solutions leaves rounding times I_p/J in GJ. */
 static void stiffness(hobe_section *section)
 {
     static const char *const kernels[] = {"MGD30w", "3333w", "BE24w", "MGD30w3", "3333w3"};
     const struct hobe_section_properties p = properties_of(section);
     const double G = E / (2 * (1 + NU));
-    const int paper = strstr(hobe_section_text(section), "paper") != NULL;
     for (int k = 0; k < 5; k++) {
         struct hobe_error err;
         double C[HOMOGENEOUS][HOMOGENEOUS];
@@ -243,8 +271,7 @@ static void stiffness(hobe_section *section)
         check_relative(C[STRETCH][STRETCH], E * p.A, 1e-9, "EA, %s", hobe_section_text(section));
         check_relative(C[BEND_Y][BEND_Y], E * p.Iyy, 1e-9, "EIyy, %s", hobe_section_text(section));
         check_relative(C[BEND_Z][BEND_Z], E * p.Izz, 1e-9, "EIzz, %s", hobe_section_text(section));
-        check_relative(C[TWIST][TWIST], G * p.J_w, paper && k > 2 ? 1e-4 : 1e-7, "GJ, %s",
-                       hobe_section_text(section));
+        check_relative(C[TWIST][TWIST], G * p.J_w, 1e-7, "GJ, %s", hobe_section_text(section));
         hobe_element_free(element);
     }
     hobe_section_free(section);
@@ -495,6 +522,7 @@ int main(void)
     round_sections();
     outlines_move();
     function_anywhere();
+    symmetric_sections_have_symmetric_functions();
     beams_are_as_stiff_as_their_sections();
     beams_twist_as_their_sections();
     clamped_torsions();
