@@ -11,8 +11,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The velocities of the start may be mended by so much, relatively. */
-static const double MENDED = 1e-6;
+/* The velocities of the start may be mended by so much, relatively, and by what would move the
+ * scene by so much of its size to the end: drives are differentiated with rounding. */
+static const double MENDED = 1e-6, TINY = 1e-9;
 
 /* The constraints hold at the start to this, weighed: what a result of statics leaves. */
 static const double CLOSED = 1e-8;
@@ -175,6 +176,7 @@ static enum hobe_status check_position(struct genalpha *g, struct hobe_error *er
 static enum hobe_status begin(struct run *run, struct hobe_error *err)
 {
     struct genalpha *g = &run->g;
+    const size_t size = (size_t)(3 * g->s.model->vectors) * sizeof(double);
     double *rate = g->a, changed;
     enum hobe_status status = find_start(run, err);
     if (status)
@@ -188,12 +190,12 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
     if (status)
         return status;
     const double speed = genalpha_norm(g, g->now.v);
+    memcpy(g->v, g->now.v, size);
     status = settle(g, &changed, err);
     if (status)
         return status;
-    if (changed > MENDED * speed) {
-        for (long i = 0; i < 3 * g->s.model->moving; i++)
-            g->now.v[i] -= g->w[i];
+    if (changed > MENDED * speed + TINY * g->size / (run->options.to - g->now.time)) {
+        memcpy(g->now.v, g->v, size);
         settle_rate(g, &g->now, g->s.u, g->force, rate);
         return fail_broken(g, rate, speed == 0 ? JUMP : BROKEN, err);
     }
@@ -369,17 +371,12 @@ static enum hobe_status move(struct run *run, struct hobe_error *err)
 
 /* ---- the verb ------------------------------------------------------------------------------- */
 
-static enum hobe_status check_options(const hobe_model *model, const struct hobe_dynamic *o,
-                                      struct hobe_error *err)
+static enum hobe_status check_options(const struct hobe_dynamic *o, struct hobe_error *err)
 {
     if (!(o->step > 0) && !(o->accuracy > 0))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a motion needs step (s), or accuracy, relative to the scene's size, that "
                          "chooses the steps");
-    if (model->arm)
-        return hobe_fail(err, HOBE_BAD_INPUT, model->spin.where,
-                         "hobe.spin is for equilibria and modes in a turning frame; in time the "
-                         "scene turns itself: leave it out, and give hobe.motion or a drive");
     if (!isfinite(o->to) || !isfinite(o->step) || !(o->rho <= 1))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a motion needs a finite end and step, and rho up to 1, got %g, %g and %g",
@@ -428,7 +425,7 @@ enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *opti
     *history = NULL;
     enum hobe_status status = hobe_model_build(model, err);
     if (!status)
-        status = check_options(model, options, err);
+        status = check_options(options, err);
     if (!status)
         status = mass_check(model, "motion in time", err);
     if (status)
