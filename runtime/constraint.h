@@ -126,6 +126,11 @@ void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);
 
+/* f += the coefficient of a^k, k > 0, of that along the states u_0 + a u_1 + ... + a^(known-1)
+ * u_(known-1), u[known]; known <= k <= TAYLOR_ORDER of taylor.h (constraint_series.c). */
+void constraint_series(const struct hobe_model *model, const double *const *u, int known, int k,
+                       double *f);
+
 /* At the multipliers, into a field rate[vectors][3] that is zero elsewhere: Phi_t, what drives ask
  * of the velocities, Phi_q v + Phi_t = 0.  A drive that fails leaves its error in the model, and
  * NaN (model_failure); so below. */

@@ -608,11 +608,25 @@ struct hobe_iteration { /* what a log line shows */
     const char *note; /* "" or what happened: "converged", "cut back", ... */
 };
 
+enum hobe_method {
+    HOBE_METHOD_AUTO,   /* newton */
+    HOBE_METHOD_NEWTON, /* steps begin at the last state, or along the path's tangent there */
+    HOBE_METHOD_SERIES  /* they go along a power series of the path, as far as that is good: fewer
+                           factorisations where many steps are needed (asymptotic numerical method,
+                           Cochelin 1994); only of elements whose energy is a polynomial */
+};
+
+typedef struct hobe_solution hobe_solution;
+
 struct hobe_newton {
-    int steps;            /* load steps to begin with; 0: 1 */
-    int max_iterations;   /* in a step; 0: 30 */
-    double tolerance;     /* on `residual`; 0: 1e-9 */
-    double smallest_step; /* of the load factor, below which the solve is given up; 0: 1e-4 */
+    enum hobe_method method;
+    const hobe_solution *start; /* where hobe_static begins, at the full load: an equilibrium of the
+                                   model or of one of the same shape, under other loads or of other
+                                   size; NULL, or if there is nothing near: the reference */
+    int steps;                  /* load steps to begin with; 0: 1; not by series */
+    int max_iterations;         /* in a step; 0: 30 */
+    double tolerance;           /* on `residual`; 0: 1e-9 */
+    double smallest_step;       /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
     double time; /* s, at which drives and histories are taken, >= 0; the motion of drives is scaled
                     by the load factor, too */
@@ -620,15 +634,13 @@ struct hobe_newton {
     void *context;
 };
 
-typedef struct hobe_solution hobe_solution;
-
 struct hobe_solution_info {
     int steps, iterations, cutbacks, factorisations;
     double load;     /* load factor reached: 1 of hobe_static */
     double time;     /* s, of drives, histories and hobe_dynamic */
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                         stable, as it may be with some where the scene spins (hobe_modal tells);
-                        -1: not counted, as by hobe_static */
+                        -1: not counted, as by hobe_static but by series */
     double residual; /* of the last iteration */
     double change;   /* of the displacements by one more iteration, relative to their size, in the
                         norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
@@ -640,9 +652,10 @@ struct hobe_solution_info {
     double seconds;      /* in the verb so far, without set-up */
 };
 
-/* Static equilibrium under all loads of the model from its reference.  On success *solution is
- * owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says how
- * far the load got and what to try.  Large models are summed by several threads, as many as
+/* Static equilibrium under all loads of the model from its reference or options.start; by series
+ * the path to it is followed (hobe_path_follow), through limit points, too.  On success *solution
+ * is owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says
+ * how far the load got and what to try.  Large models are summed by several threads, as many as
  * OMP_NUM_THREADS allows; results do not depend on their number. */
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err);
@@ -663,7 +676,7 @@ struct hobe_path_options {
     struct hobe_newton newton; /* of which steps, smallest_step and no_line_search do not count */
     int steps;                 /* at most; 0: 200 */
     double arc; /* longest step, in units of the arc that the linear response to all loads takes
-                   from the reference; 0: 0.05 */
+                   from the reference; 0: 0.05, by series no limit but how far these are good */
     double smallest_arc; /* below which the path is given up, as a share of arc; 0: 1e-4 */
     double to; /* load factor that ends the path, and the direction in which it starts; 0: 1 */
     struct hobe_reach reach;
@@ -676,7 +689,7 @@ enum hobe_path_end { HOBE_PATH_LOAD, HOBE_PATH_DISPLACEMENT, HOBE_PATH_STEPS };
 
 struct hobe_path_info {
     int points, events;
-    int iterations, cutbacks;
+    int iterations, cutbacks, factorisations;
     enum hobe_path_end end; /* what ended the path: options.to, options.reach, or options.steps */
     double seconds;         /* in hobe_path_follow without set-up */
 };

@@ -5,6 +5,7 @@
 #include "drive.h"
 #include "element.h"
 #include "spin.h"
+#include "taylor.h"
 #include "vector3.h"
 
 #include <float.h>
@@ -425,6 +426,98 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
                         factor, r, K);
     spin_subtract(model, u, instant, factor, r, K);
 }
+
+/* ---- along a series -------------------------------------------------------------------------- */
+
+/* The slopes r_y, r_z at a load along the states u[known]. */
+static void find_slopes(const struct hobe_model *model, const char *name, double at,
+                        const double *const *u, int known, struct station *s, taylor3 slope[2])
+{
+    memset(slope, 0, 2 * sizeof *slope);
+    find_station(model, name, at, u[0], s);
+    const struct beam *beam = s->place.beam;
+    memcpy(slope[0][0], s->slope[0], sizeof s->slope[0]);
+    memcpy(slope[1][0], s->slope[1], sizeof s->slope[1]);
+    for (int v = 0; v < beam->kernel->vectors; v++) {
+        const int m = beam->kernel->vector[v].mode - 1;
+        const long vector = model_vector(model, beam, s->place.element, v);
+        for (int i = 1; i < known && (m == 0 || m == 1); i++)
+            for (int a = 0; a < 3; a++)
+                slope[m][i][a] += s->N[v] * u[i][3 * vector + a];
+    }
+}
+
+/* F[k] += that of angle_force. */
+static void angle_series(int k, const double e[3], const taylor3 slope, double m, double F[3])
+{
+    taylor3 p = {{0}}, axis = {{e[0], e[1], e[2]}}, t = {{0}}, quotient;
+    taylor along = {0}, p2 = {0};
+    memcpy(p, slope, sizeof p);
+    taylor_dot(k, slope, axis, 1, along);
+    taylor_scale(k, along, axis, -1, p);
+    taylor_cross(k, axis, p, t);
+    taylor_dot(k, p, p, 1, p2);
+    taylor_divide(k, t, p2, m, quotient);
+    for (int a = 0; a < 3; a++)
+        F[a] += quotient[k][a];
+}
+
+static void add_moment_series(const struct hobe_model *model, const struct hobe_moment *moment,
+                              const double *const *u, int known, int k, double *Q)
+{
+    const double factor = drive_factor(model, moment->history, AT_REST.time, moment->where);
+    struct station s;
+    taylor3 slope[2];
+    find_slopes(model, moment->beam, moment->at, u, known, &s, slope);
+    for (int m = 0; m < 2; m++) {
+        double F[3] = {0};
+        angle_series(k, s.frame[0], slope[m], dot3(s.frame[0], moment->value) / 2, F);
+        angle_series(k, s.frame[2 - m], slope[m], dot3(s.frame[2 - m], moment->value), F);
+        add_force(model, &s, 1 + m, F, factor, Q);
+    }
+}
+
+/* The axes of section_axes, and of them the force. */
+static void add_follower_series(const struct hobe_model *model, const struct hobe_force *force,
+                                const double *const *u, int known, int k, double *Q)
+{
+    const double factor = drive_factor(model, force->history, AT_REST.time, force->where);
+    struct station s;
+    taylor3 slope[2], n = {{0}}, t[3] = {{{0}}};
+    taylor size;
+    double F[3] = {0};
+    find_slopes(model, force->beam, force->at, u, known, &s, slope);
+    taylor_cross(k, slope[0], slope[1], n);
+    taylor_length(k, n, size);
+    taylor_divide(k, n, size, 1, t[0]);
+    taylor_length(k, slope[1], size);
+    taylor_divide(k, slope[1], size, 1, t[2]);
+    taylor_cross(k, t[2], t[0], t[1]);
+    for (int b = 0; b < 3; b++)
+        for (int a = 0; a < 3; a++)
+            F[a] += dot3(s.frame[b], force->value) * t[b][k][a];
+    add_force(model, &s, 0, F, factor, Q);
+}
+
+void load_series(const struct hobe_model *model, const double *const *u, int known, int k,
+                 double *Q)
+{
+    memset(Q, 0, (size_t)(3 * model->vectors) * sizeof *Q);
+    if (k == 0) {
+        load_subtract(model, u[0], &AT_REST, -1, Q, NULL);
+        return;
+    }
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        if (force->follower)
+            add_follower_series(model, force, u, known, k, Q);
+    }
+    for (size_t i = 0; i < model->moments.count; i++)
+        add_moment_series(model, (const struct hobe_moment *)model->moments.item + i, u, known, k,
+                          Q);
+}
+
+/* ---- inside an element ----------------------------------------------------------------------- */
 
 /* Whether a load acts inside an element, between its ends. */
 static int is_inside(const struct hobe_model *model, const char *name, double at,

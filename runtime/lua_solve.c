@@ -498,7 +498,18 @@ struct options {
 
 #define NEWTON(name, kind, ...) KEY_AS(#name, struct options, newton.name, kind, __VA_ARGS__)
 
+/* METHOD of the options of a verb. */
+#define METHOD(owner, field)                                                                       \
+    KEY_AS("method", owner, field, KEY_CHOICE, .choices = "newton|series", .word = "newton",       \
+           .doc = "`series`: steps go along a power series of the path, as far as that is good; "  \
+                  "fewer factorisations where many steps are needed")
+
 static const struct hobe_lua_key static_keys[] = {
+    METHOD(struct options, newton.method),
+    NEWTON(start, KEY_RESULT,
+           .doc = "a result to start from, at the full load, in one step, or if that fails from "
+                  "the reference: of this scene or of one of the same shape, under another load "
+                  "or of other size; not by series"),
     NEWTON(steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 1, .doc = "load steps to begin with"),
     NEWTON(time, KEY_NUMBER, KEY_FROM(0), .unit = "s",
            .doc = "when functions of time are taken; load steps go to the motions of joints there, "
@@ -576,14 +587,16 @@ static const struct hobe_lua_schema reach_schema = {"reach", reach_keys};
 
 static const struct hobe_lua_key path_keys[] = {
     PATH("steps", steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 200, .doc = "steps at most"),
-    PATH("arc", arc, KEY_NUMBER, KEY_ABOVE(0), .fallback = 0.05,
-         .doc = "longest step: 1 is what the linear response to all loads would take"),
+    PATH("arc", arc, KEY_NUMBER, KEY_ABOVE(0),
+         .doc = "longest step: 1 is what the linear response to all loads would take; 0.05 unless "
+                "given, by series without limit"),
     PATH("smallest_arc", smallest_arc, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
          .doc = "share of it below which a step is not cut"),
     PATH("to", to, KEY_NUMBER, .fallback = 1,
          .doc = "load factor that ends the path, other than 0; the path starts towards it"),
     PATH("reach", reach, KEY_GROUP, .group = &reach_schema,
          .doc = "a displacement that ends the path"),
+    METHOD(struct path_options, path.newton.method),
     PATH("tolerance", newton.tolerance, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-9,
          .doc = "residual to reach, relative to the load"),
     PATH("max_iterations", newton.max_iterations, KEY_WHOLE, KEY_WITHIN(1, 1000), .fallback = 12,
@@ -655,6 +668,8 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     lua_setfield(L, -2, "iterations");
     lua_pushinteger(L, info.cutbacks);
     lua_setfield(L, -2, "cutbacks");
+    lua_pushinteger(L, info.factorisations);
+    lua_setfield(L, -2, "factorisations");
     set_events(L, path);
     warn_along(L, model);
     if (info.end == HOBE_PATH_STEPS)
@@ -696,7 +711,8 @@ const struct hobe_lua_entry hobe_lua_solve_entries[] = {
      "The equilibrium path from the reference through limit points, by arc length: the load factor "
      "is found with the displacements.  Returns a list of results, `p[i].load` the load factor of "
      "the i-th and `p[i].negative` its negative eigenvalues; and in it `ended`, what ended it: "
-     "`\"load\"`, `\"displacement\"` or `\"steps\"`; `iterations`, `cutbacks`, `solve_seconds`; "
+     "`\"load\"`, `\"displacement\"` or `\"steps\"`; `iterations`, `factorisations`, `cutbacks`, "
+     "`solve_seconds`; "
      "and "
      "`limit_points` and `bifurcations`, lists of tables: `load`, the factor there; `from` and "
      "`to`, those of the points before and after; `after`, the number of the point before; "
