@@ -344,10 +344,10 @@ enum hobe_status hobe_curve_at(const hobe_curve *curve, const double up[3], doub
 
 typedef struct hobe_model hobe_model;
 
-/* What a beam loses in motion: forces mass * M v, which hold back rigid motions, too; and the viscous
- * stress stiffness * C : dE/dt beside the elastic one (Kelvin, Voigt), which no rigid motion feels.
- * About an unloaded reference both are Rayleigh's damping: of a mode of angular frequency omega it
- * is the fraction (mass / omega + stiffness omega) / 2 of the critical one. */
+/* What a beam loses in motion: forces mass * M v, which hold back rigid motions, too; and the
+ * viscous stress stiffness * C : dE/dt beside the elastic one (Kelvin, Voigt), which no rigid
+ * motion feels. About an unloaded reference both are Rayleigh's damping: of a mode of angular
+ * frequency omega it is the fraction (mass / omega + stiffness omega) / 2 of the critical one. */
 struct hobe_damping {
     double mass;      /* 1/s, >= 0 */
     double stiffness; /* s, >= 0; only of elements whose energy is quartic */
@@ -370,7 +370,38 @@ struct hobe_beam {
     enum hobe_integration integration;
 };
 
-/* Supports and loads name a beam and a place `at` in [0,1] along its axis. */
+/* A rigid body: its inertia is that of a shape, or given.  It lies on its axes: the first along
+ * `axis` ({0,0,0}: global X), the second along `second`, the third at a right angle to both. */
+enum hobe_shape {
+    HOBE_SHAPE_NONE,     /* mass and inertia are given */
+    HOBE_SHAPE_CYLINDER, /* size: radius and length along the first axis */
+    HOBE_SHAPE_BOX,      /* size: edges along the axes */
+    HOBE_SHAPE_SPHERE    /* size: radius */
+};
+struct hobe_body {
+    const char *where;
+    const char *name; /* unique among beams and bodies */
+    double mass;      /* kg, or 0 where a shape has a density, kg/m^3 */
+    double density;
+    double centre[3]; /* of mass, m, global axes in the reference */
+    enum hobe_shape shape;
+    double size[3];            /* m */
+    double inertia[3][3];      /* without a shape: about the centre, on its axes, kg m^2; 0 < I_1,
+                                  and each principal moment at most the sum of the others */
+    double axis[3], second[3]; /* {0,0,0} for second: global Y where axis is left out, too, or any
+                                  direction where the body is round about its first axis */
+};
+
+/* A mass at a point of a beam: of the section at `at` the material point (y, z), moved by every
+ * mode of the section; it has no inertia about that point (a body has). */
+struct hobe_mass {
+    const char *where, *beam;
+    double at, y, z; /* y, z in m from the centroid */
+    double mass;     /* kg, >= 0 */
+};
+
+/* Supports and loads name a beam and a place `at` in [0,1] along its axis; or a body and a `point`
+ * of it where `at_point` is 1, m, global axes in the reference; `at` then says nothing. */
 struct hobe_clamp {
     const char *where, *beam;
     const char *name; /* by which hobe_solution_reaction knows it, or NULL */
@@ -382,15 +413,19 @@ struct hobe_force {
     const char *where, *beam;
     double at;
     double value[3]; /* N, global axes */
-    int follower;    /* 1: the force turns with the section from that initial direction */
+    int follower;    /* 1: the force turns with the section or body from that initial direction */
+    int at_point;
+    double point[3]; /* of a body; its centre where at_point is 0 */
 };
 /* Conservative: with M = m_x e_x + m_y e_y + m_z e_z on the beam's reference axes, its potential is
  * -m_x (phi_x(r_y) + phi_x(r_z))/2 - m_y phi_y(r_z) - m_z phi_z(r_y), phi_a(s) the angle of the
- * section's slope s about e_a. */
+ * section's slope s about e_a.  Of a body the axes are the global ones, and the slopes its
+ * directions that are global Y and Z in the reference. */
 struct hobe_moment {
-    const char *where, *beam;
-    double at;
-    double value[3]; /* N m about the global axes */
+    const char *where, *beam; /* a beam or a body */
+    double at;                /* of a beam */
+    int at_point;             /* 1: it acts on a body, wherever */
+    double value[3];          /* N m about the global axes */
 };
 struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle */
     const char *where, *beam[2];
@@ -412,10 +447,14 @@ struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle
  *     inline        across         none
  *     inplane       along          none
  *     distance      along the line between the places, which are apart; none
+ *     rigid         all            all, and those of the slopes y, z against each other: the mean
+ *                                  plane of a beam's section is the body's, or the ground's, and
+ *                                  neither shears nor strains there; the axis stretches freely
  *
  * Directions that belong to a beam are carried by the section's slopes y, z and by its normal
  * n = y x z with the components they have in the reference: d_x n + d_y y + d_z z.  Warping and
- * every other mode of the section stay free. */
+ * every other mode of the section stay free.  A body carries its directions that are global axes in
+ * the reference. */
 enum hobe_joint_kind {
     HOBE_JOINT_FIXED,
     HOBE_JOINT_SPHERICAL,
@@ -426,20 +465,25 @@ enum hobe_joint_kind {
     HOBE_JOINT_PLANAR,
     HOBE_JOINT_INLINE,
     HOBE_JOINT_INPLANE,
-    HOBE_JOINT_DISTANCE
+    HOBE_JOINT_DISTANCE,
+    HOBE_JOINT_RIGID
 };
 
-/* A joint between places anywhere on two beams, which must coincide but for a distance; or between
- * the ground, its first part, and a place of one beam: a support. */
+/* A joint between places anywhere on two beams or bodies, which must coincide but for a distance;
+ * or between the ground, its first part, and a place of one: a support.  The place of a body is
+ * `point` where at_point is 1, or that of the beam it is joined to. */
 struct hobe_joint {
     const char *where;
     const char *beam[2]; /* the first and the second part; beam[1] NULL: a support of beam[0] */
     const char *name;    /* by which hobe_solution_reaction knows it, or NULL */
-    double at[2];
+    double at[2];        /* of beams */
     enum hobe_joint_kind kind;
-    double axis[3];   /* global, in the reference; {0,0,0} for fixed, spherical and distance */
+    double axis[3];   /* global, in the reference; {0,0,0} for fixed, rigid, spherical, distance */
     double second[3]; /* of universal joints, at a right angle to the axis; else {0,0,0} */
-    double to[3];     /* of a support that keeps a distance: the point of the ground, m */
+    double to[3];     /* of a support that keeps a distance: the point of the ground, m; of two
+                         bodies: the point of the second */
+    int at_point;
+    double point[3]; /* of bodies, m, global axes in the reference */
 };
 
 /* "revolute" etc.; NULL for no kind. */
@@ -451,12 +495,14 @@ void hobe_model_free(hobe_model *model);
 /* Each adds a copy of one item; names are resolved by hobe_model_build, after which HOBE_BAD_INPUT
  * refuses more. */
 enum hobe_status hobe_model_beam(hobe_model *, const struct hobe_beam *, struct hobe_error *);
+enum hobe_status hobe_model_body(hobe_model *, const struct hobe_body *, struct hobe_error *);
+enum hobe_status hobe_model_mass(hobe_model *, const struct hobe_mass *, struct hobe_error *);
 enum hobe_status hobe_model_clamp(hobe_model *, const struct hobe_clamp *, struct hobe_error *);
 enum hobe_status hobe_model_force(hobe_model *, const struct hobe_force *, struct hobe_error *);
 enum hobe_status hobe_model_moment(hobe_model *, const struct hobe_moment *, struct hobe_error *);
 enum hobe_status hobe_model_join(hobe_model *, const struct hobe_join *, struct hobe_error *);
 enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struct hobe_error *);
-/* Gravity, m/s^2 in global axes, on every beam; repeated calls add up. */
+/* Gravity, m/s^2 in global axes, on every beam, body and mass; repeated calls add up. */
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
                                     struct hobe_error *);
 
@@ -465,7 +511,7 @@ enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const doubl
 enum hobe_status hobe_model_build(hobe_model *model, struct hobe_error *err);
 
 struct hobe_model_info {
-    int beams, elements;
+    int beams, elements, bodies;
     long vectors;  /* nodal vectors, held ones included */
     long unknowns; /* scalar unknowns solved for */
     long nonzeros; /* of the tangent stiffness */
@@ -603,6 +649,15 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
                                      double y, double z, struct hobe_point *point,
                                      struct hobe_error *err);
 
+/* Where a point of a body is, `point` in the reference, m, global axes; NULL: its centre. */
+struct hobe_body_point {
+    double r[3], r0[3], u[3]; /* as in hobe_point */
+    double rotation[3];       /* rotation vector of the body, rad, global axes */
+};
+enum hobe_status hobe_solution_body(const hobe_solution *solution, const char *body,
+                                    const double point[3], struct hobe_body_point *is,
+                                    struct hobe_error *err);
+
 /* *twist: that of hobe_point with its whole turns, rad.  They are counted along the beam from its
  * first clamp, or from its begin where it has none, at which the twist is between -pi and pi; anew
  * from where a bent beam makes r_z pass the direction of the section's X in the reference, where
@@ -693,9 +748,9 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
                                        enum hobe_warning *warning, char *text, size_t size,
                                        struct hobe_error *err);
 
-/* What a clamp or support does to its beam, and a joint to its second beam, global axes: the force
- * and its moment about the place where it sits.  Of a clamp the forces on all vectors of its node,
- * with those on the slope x and on section modes in the moment; clamps that hold one node of
+/* What a clamp or support does to its beam or body, and a joint to its second, global axes: the
+ * force and its moment about the place where it sits.  Of a clamp the forces on all vectors of its
+ * node, with those on the slope x and on section modes in the moment; clamps that hold one node of
  * several beams each give the whole. */
 struct hobe_reaction {
     double force[3], moment[3]; /* N, N m */
@@ -705,6 +760,9 @@ enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const cha
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);
+
+/* Whether the model has a body of that name. */
+int hobe_model_has_body(const hobe_model *model, const char *name);
 
 /* ---- vibration (modal.c) -------------------------------------------------------------------- */
 
@@ -728,7 +786,7 @@ struct hobe_modes_info {
     int buckling;   /* they are of hobe_buckling */
     int unstable;   /* modes of the scene with omega^2 < 0, wanted or not; -1: not known */
     long unknowns;  /* scalar unknowns, multipliers included */
-    double mass;    /* of all beams, kg */
+    double mass;    /* of all beams, bodies and masses, kg */
     double seconds; /* in hobe_modal without set-up */
     enum hobe_modal_method method; /* that was used */
 };
@@ -764,6 +822,10 @@ enum hobe_status hobe_modes_mode(const hobe_modes *modes, int i, struct hobe_mod
  * axes, 1/sqrt(kg): times a modal coordinate in m sqrt(kg) it is in m. */
 enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *beam, double at,
                                   double y, double z, double u[3], struct hobe_error *err);
+
+/* The same of a body's point as in hobe_solution_body. */
+enum hobe_status hobe_modes_body(const hobe_modes *modes, int i, const char *body,
+                                 const double point[3], double u[3], struct hobe_error *err);
 
 /* phi_i'M phi_j, summed over the elements: the modal mass, 1, where i = j, and 0 elsewhere, but for
  * rounding.  NaN where there are no such modes. */

@@ -3,6 +3,7 @@
  * hold it, and whether any is one too many. */
 #include "joint.h"
 
+#include "body.h"
 #include "constraint.h"
 #include "rank.h"
 #include "vector3.h"
@@ -11,9 +12,9 @@
 #include <string.h>
 
 /* Which relative motions a joint stops, by its axis; of rotations CROSSED leaves two axes at a
- * right angle: that of the first part and the second one, of the second part; of translations APART
- * leaves those that keep the distance. */
-enum stopped { NONE, ALL, APART, ACROSS, ALONG, CROSSED };
+ * right angle: that of the first part and the second one, of the second part; STIFF stops strains
+ * of the slopes, too; of translations APART leaves those that keep the distance. */
+enum stopped { NONE, ALL, STIFF, APART, ACROSS, ALONG, CROSSED };
 
 enum { MOTIONS = 80 }; /* characters that name six motions */
 
@@ -31,6 +32,7 @@ static const struct kind {
     [HOBE_JOINT_INLINE] = {"inline", ACROSS, NONE},
     [HOBE_JOINT_INPLANE] = {"inplane", ALONG, NONE},
     [HOBE_JOINT_DISTANCE] = {"distance", APART, NONE},
+    [HOBE_JOINT_RIGID] = {"rigid", ALL, STIFF},
 };
 
 /* Joined places must coincide to this fraction of the beams' length. */
@@ -42,22 +44,6 @@ const char *hobe_joint_name(enum hobe_joint_kind kind)
 }
 
 /* ---- what is asked for ----------------------------------------------------------------------- */
-
-/* unit = axis/|axis| and two more that make a right-handed triad with it: rows t[0], t[1], t[2]. */
-static void make_triad(const double axis[3], double t[3][3])
-{
-    const double length = length3(axis);
-    int least = 0;
-    for (int a = 0; a < 3; a++) {
-        t[0][a] = axis[a] / length;
-        least = fabs(axis[a]) < fabs(axis[least]) ? a : least;
-    }
-    cross3(t[0], (const double[3]){least == 0, least == 1, least == 2}, t[1]);
-    const double across = length3(t[1]);
-    for (int a = 0; a < 3; a++)
-        t[1][a] /= across;
-    cross3(t[0], t[1], t[2]);
-}
 
 static enum hobe_status check_axes(const struct hobe_joint *joint, struct hobe_error *err)
 {
@@ -120,6 +106,8 @@ static void stop_turning(struct tie *tie, enum stopped turn, const double t[3][3
 {
     if (turn == ALL)
         tie_turning(tie);
+    if (turn == STIFF)
+        tie_slopes(tie);
     for (int i = 1; turn == ACROSS && i < 3; i++)
         keep_normal(tie, t[i], t[0]);
     if (turn == CROSSED)
@@ -147,37 +135,91 @@ static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3]
             on_section(tie->side, t[i], tie_constraint(tie)->slide);
 }
 
-/* Finds both places and the gap from the first to the second. */
-static enum hobe_status find_places(const hobe_model *model, const struct hobe_joint *joint,
-                                    struct tied side[2], double gap[3], struct hobe_error *err)
+/* Whether places are as far apart as they must be, on parts of that length. */
+static enum hobe_status check_gap(const struct hobe_joint *joint, double gap, double length,
+                                  struct hobe_error *err)
 {
-    double length = 0;
-    side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
-    memcpy(side[0].position, joint->to, sizeof side[0].position);
-    const int beams = joint->beam[1] ? 2 : 1;
-    for (int i = 0; i < beams; i++) {
-        const struct beam *beam = model_find_beam(model, joint->beam[i], joint->where, err);
-        if (!beam)
-            return HOBE_UNKNOWN;
-        tied_at(model_place(beam, joint->at[i]), side + 2 - beams + i);
-        length = fmax(length, beam->length);
-    }
-    for (int a = 0; a < 3; a++)
-        gap[a] = side[1].position[a] - side[0].position[a];
-    const int apart = length3(gap) > COINCIDENT * length;
+    const int apart = gap > COINCIDENT * length;
     if (kinds[joint->kind].shift == APART)
         return apart ? HOBE_OK
                      : hobe_fail(err, HOBE_BAD_INPUT, joint->where,
                                  "a joint of kind distance needs places that are apart; those of "
                                  "\"%s\" and %s coincide",
-                                 joint->beam[0], beams == 2 ? joint->beam[1] : "the ground");
-    if (beams == 2 && apart)
+                                 joint->beam[0], joint->beam[1] ? joint->beam[1] : "the ground");
+    if (joint->beam[1] && apart)
         return hobe_fail(
             err, HOBE_BAD_INPUT, joint->where,
             "the joined places of \"%s\" and \"%s\" are %g m apart; they must coincide",
-            joint->beam[0], joint->beam[1], length3(gap));
+            joint->beam[0], joint->beam[1], gap);
     return HOBE_OK;
+}
+
+/* Finds a place on a body: the point that is given, or where the other part is. */
+static enum hobe_status find_on_body(const struct hobe_joint *joint, int i,
+                                     const struct part part[2], struct tied side[2],
+                                     struct hobe_error *err)
+{
+    static const int yz[2] = {1, 2};
+    const int apart = kinds[joint->kind].shift == APART;
+    const double *point = joint->point;
+    if (i == 1 && part[0].body && apart)
+        point = joint->to;
+    else if (!joint->at_point && part[1 - i].beam)
+        point = side[1 - i].position;
+    else if (!joint->at_point)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "the place on body \"%s\" is missing: point, {x, y, z} in the reference",
+                         part[i].body->spec.name);
+    tied_on_body(part[i].body, point, yz, side + i);
+    return HOBE_OK;
+}
+
+/* Finds both parts, the ground without any; at most one on a beam where the joint is rigid. */
+static enum hobe_status find_parts(const hobe_model *model, const struct hobe_joint *joint,
+                                   struct part part[2], struct hobe_error *err)
+{
+    const int parts = joint->beam[1] ? 2 : 1;
+    part[0] = (struct part){NULL, NULL};
+    for (int i = 0; i < parts; i++)
+        if (model_find_part(model, joint->beam[i], joint->where, part + 2 - parts + i, err))
+            return HOBE_UNKNOWN;
+    if (part[0].body && part[0].body == part[1].body)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "body \"%s\" cannot be joined to itself", part[0].body->spec.name);
+    if (joint->at_point && !part[0].body && !part[1].body)
+        return model_refuse_point(joint->beam[0], joint->where, err);
+    if (kinds[joint->kind].turn == STIFF && part[0].beam && part[1].beam)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "a joint of kind rigid needs a body or the ground beside a beam, but "
+                         "\"%s\" and \"%s\" are beams; take fixed",
+                         joint->beam[0], joint->beam[1]);
+    return HOBE_OK;
+}
+
+/* Finds both places and the gap from the first to the second. */
+static enum hobe_status find_places(const hobe_model *model, const struct hobe_joint *joint,
+                                    struct tied side[2], double gap[3], struct hobe_error *err)
+{
+    const int ground = !joint->beam[1];
+    double length = 0;
+    struct part part[2];
+    enum hobe_status status = find_parts(model, joint, part, err);
+    side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
+    memcpy(side[0].position, joint->to, sizeof side[0].position);
+    for (int i = ground; !status && i < 2; i++)
+        if (part[i].beam)
+            tied_at(model_place(part[i].beam, joint->at[i - ground]), side + i);
+    for (int i = ground; !status && i < 2; i++)
+        if (part[i].body)
+            status = find_on_body(joint, i, part, side, err);
+    if (status)
+        return status;
+    for (int i = 0; i < 2; i++)
+        length = part[i].beam ? fmax(length, part[i].beam->length) : length;
+    for (int a = 0; a < 3; a++)
+        gap[a] = side[1].position[a] - side[0].position[a];
+    return check_gap(joint, length3(gap), length, err);
 }
 
 static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *joint,
@@ -194,15 +236,15 @@ static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *jo
     tie->where = joint->where;
     tie->name = joint->name;
     if (length3(joint->axis) > 0)
-        make_triad(joint->axis, t);
+        triad3(joint->axis, t);
     if (length3(joint->second) > 0)
-        make_triad(joint->second, second);
+        triad3(joint->second, second);
     stop_turning(tie, kinds[joint->kind].turn, (const double(*)[3])t, second[0]);
     stop_shifting(tie, kinds[joint->kind].shift, (const double(*)[3])t, gap);
     return HOBE_OK;
 }
 
-enum hobe_status joint_beams(hobe_model *model, struct hobe_error *err)
+enum hobe_status joint_parts(hobe_model *model, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_OK;
     for (size_t i = 0; !status && i < model->joints.count; i++)
@@ -231,6 +273,26 @@ static void put_rigid(struct rank *rank, long column, const struct tied *side, c
     }
 }
 
+/* The number of the part that a place is on, beams before bodies; -1: the ground. */
+static long part_of(const hobe_model *model, const struct tied *side)
+{
+    if (side->body)
+        return (long)model->beams.count + (side->body - model_body(model, 0));
+    return side->place.beam ? side->place.beam - model_beam(model, 0) : -1;
+}
+
+/* A point of a part and its size, from which its rotations are counted. */
+static double extent(const hobe_model *model, size_t part, const double **point)
+{
+    if (part < model->beams.count) {
+        *point = model_beam(model, part)->end[0];
+        return model_beam(model, part)->length;
+    }
+    const struct body *body = model_body(model, part - model->beams.count);
+    *point = body->spec.centre;
+    return body_radius(body);
+}
+
 static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie, const size_t *root,
                                  const unsigned char *held, struct rank *rank,
                                  struct hobe_error *err)
@@ -241,13 +303,12 @@ static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie,
     tie_jacobian(tie, NULL, J);
     for (int k = 0; !status && k < tie->constraints; k++) {
         for (int s = 0; s < 2; s++) {
-            const struct beam *beam = tie->side[s].place.beam;
-            if (!beam || held[root[beam - model_beam(model, 0)]])
+            const long part = part_of(model, tie->side + s);
+            if (part < 0 || held[root[part]])
                 continue;
-            const size_t group = root[beam - model_beam(model, 0)];
-            const struct beam *first = model_beam(model, group);
-            put_rigid(rank, 6 * (long)group, tie->side + s, (const double(*)[3])J[k] + 3 * s,
-                      first->end[0], first->length);
+            const double *point, length = extent(model, root[part], &point);
+            put_rigid(rank, 6 * (long)root[part], tie->side + s, (const double(*)[3])J[k] + 3 * s,
+                      point, length);
         }
         status = rank_add(rank, &independent, err);
     }
@@ -269,31 +330,38 @@ static void list_motions(const char *kind, const char *how, const long stopped[3
                                      "xyz"[a]);
 }
 
-/* Names the motions that no constraint stops of the group of a beam. */
-static enum hobe_status name_motions(const struct beam *beam, const long stopped[6],
+/* Names the motions that no constraint stops of the group of a part. */
+static enum hobe_status name_motions(const hobe_model *model, size_t part, const long stopped[6],
                                      struct hobe_error *err)
 {
     char text[MOTIONS] = "";
+    const size_t beams = model->beams.count;
     list_motions("translation", "along", stopped, text);
     list_motions("rotation", "about", stopped + 3, text);
-    return hobe_fail(err, HOBE_UNCONSTRAINED, beam->spec.where,
+    if (part >= beams)
+        return hobe_fail(err, HOBE_UNCONSTRAINED, model_body(model, part - beams)->spec.where,
+                         "body \"%s\" is free to move: %s; hold it by a support, or join it to a "
+                         "held beam",
+                         model_body(model, part - beams)->spec.name, text);
+    return hobe_fail(err, HOBE_UNCONSTRAINED, model_beam(model, part)->spec.where,
                      "beam \"%s\" is free to move: %s; hold it by a clamp or a support, or join it "
                      "to a held beam",
-                     beam->name, text);
+                     model_beam(model, part)->name, text);
 }
 
 enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
                                   const unsigned char *held, struct hobe_error *err)
 {
     struct rank rank;
-    enum hobe_status status = rank_open(&rank, 6 * (long)model->beams.count, err);
+    const size_t parts = model->beams.count + model->bodies.count;
+    enum hobe_status status = rank_open(&rank, 6 * (long)parts, err);
     for (size_t i = 0; !status && i < model->ties.count; i++)
-        if (!model_tie(model, i)->corner)
+        if (!model_tie(model, i)->corner && !model_tie(model, i)->rigidity)
             status = add_rows(model, model_tie(model, i), root, held, &rank, err);
-    for (size_t i = 0; !status && i < model->beams.count; i++)
+    for (size_t i = 0; !status && i < parts; i++)
         for (int m = 0; !status && root[i] == i && !held[i] && m < 6; m++)
             if (!rank.row_of[6 * i + (size_t)m])
-                status = name_motions(model_beam(model, i), rank.row_of + 6 * i, err);
+                status = name_motions(model, i, rank.row_of + 6 * i, err);
     rank_close(&rank);
     return status;
 }
@@ -302,13 +370,18 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
 
 static enum hobe_status fail_redundant(const struct tie *tie, struct hobe_error *err)
 {
-    const struct place place = tie->side[1].place;
+    const struct tied *side = tie->side + 1;
+    const struct place place = side->place;
+    char at[30] = "";
+    if (place.beam)
+        snprintf(at, sizeof at, " at %.4g", (place.element + place.xi) / place.beam->spec.elements);
     return hobe_fail(err, HOBE_BAD_INPUT, tie->where,
-                     "the %s%s%s%s of beam \"%s\" at %.4g stops motions that clamps or joints "
-                     "before it stop already; leave it out, or choose a kind that stops less",
+                     "the %s%s%s%s of %s \"%s\"%s stops motions that clamps or joints before it "
+                     "stop already; leave it out, or choose a kind that stops less",
                      tie->corner ? "corner" : "joint", tie->name ? " \"" : "",
-                     tie->name ? tie->name : "", tie->name ? "\"" : "", place.beam->name,
-                     (place.element + place.xi) / place.beam->spec.elements);
+                     tie->name ? tie->name : "", tie->name ? "\"" : "",
+                     side->body ? "body" : "beam",
+                     side->body ? side->body->spec.name : place.beam->name, at);
 }
 
 enum hobe_status joint_check_redundant(const hobe_model *model, struct hobe_error *err)

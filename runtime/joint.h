@@ -9,10 +9,11 @@
 enum hobe_status joint_check(const struct hobe_joint *joint, struct hobe_error *err);
 
 /* Adds the ties of all joints and numbers the multipliers of these and of corners. */
-enum hobe_status joint_beams(struct hobe_model *model, struct hobe_error *err);
+enum hobe_status joint_parts(struct hobe_model *model, struct hobe_error *err);
 
-/* HOBE_UNCONSTRAINED where groups of beams that share nodes can move as rigid bodies: root[beams]
- * leads to the one beam that stands for the group, held[root] where it is clamped. */
+/* HOBE_UNCONSTRAINED where groups of beams that share nodes, or bodies, can move as rigid bodies:
+ * root[beams + bodies] leads to the one that stands for the group, held[root] where it is clamped.
+ */
 enum hobe_status joint_check_held(const struct hobe_model *model, const size_t *root,
                                   const unsigned char *held, struct hobe_error *err);
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mass.h"
 
+#include "body.h"
 #include "load.h"
+#include "point_mass.h"
 #include "vector3.h"
 
 #include <string.h>
@@ -30,6 +32,20 @@ void mass_force(const struct hobe_model *model, double factor, const double *a, 
 {
     for (size_t i = 0; i < model->beams.count; i++)
         mass_force_of(model, model_beam(model, i), factor, a, f);
+    for (size_t i = 0; i < model->bodies.count; i++) {
+        const struct body *body = model_body(model, i);
+        for (int v = 0; v < BODY_VECTORS; v++)
+            for (int w = 0; w < BODY_VECTORS; w++)
+                for (int c = 0; c < 3; c++)
+                    f[3 * (body->first + v) + c] +=
+                        factor * body->mass[v][w] * a[3 * (body->first + w) + c];
+    }
+    for (size_t i = 0; i < model->masses.count; i++) {
+        const struct point_mass *mass = model_mass(model, i);
+        double moved[3];
+        point_mass_value(model, mass, a, moved);
+        point_mass_force(model, mass, factor, moved, f);
+    }
 }
 
 void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, double factor,
@@ -49,6 +65,17 @@ void mass_matrix(const struct hobe_model *model, double factor, const struct mat
 {
     for (size_t i = 0; i < model->beams.count; i++)
         mass_matrix_of(model, model_beam(model, i), factor, K);
+    for (size_t i = 0; i < model->bodies.count; i++) {
+        const struct body *body = model_body(model, i);
+        for (int v = 0; v < BODY_VECTORS; v++)
+            for (int w = 0; w < BODY_VECTORS; w++) {
+                const double m = factor * body->mass[v][w];
+                const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
+                body_tangent_add(model, body, v, w, block, K);
+            }
+    }
+    for (size_t i = 0; i < model->masses.count; i++)
+        point_mass_matrix(model, model_mass(model, i), factor, K);
 }
 
 double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
@@ -70,6 +97,20 @@ double mass_product(const struct hobe_model *model, const double *a, const doubl
     double sum = 0;
     for (size_t i = 0; i < model->beams.count; i++)
         sum += mass_product_of(model, model_beam(model, i), a, b);
+    for (size_t i = 0; i < model->bodies.count; i++) {
+        const struct body *body = model_body(model, i);
+        for (int v = 0; v < BODY_VECTORS; v++)
+            for (int w = 0; w < BODY_VECTORS; w++)
+                sum +=
+                    body->mass[v][w] * dot3(a + 3 * (body->first + v), b + 3 * (body->first + w));
+    }
+    for (size_t i = 0; i < model->masses.count; i++) {
+        const struct point_mass *mass = model_mass(model, i);
+        double x[3], y[3];
+        point_mass_value(model, mass, a, x);
+        point_mass_value(model, mass, b, y);
+        sum += mass->spec.mass * dot3(x, y);
+    }
     return sum;
 }
 
@@ -83,6 +124,8 @@ void mass_translation(const struct hobe_model *model, int axis, double *field)
                 if (beam->kernel->vector[v].mode == 0 && !beam->kernel->vector[v].slope)
                     field[3 * model_vector(model, beam, e, v) + axis] = 1;
     }
+    for (size_t i = 0; i < model->bodies.count; i++)
+        field[3 * model_body(model, i)->first + axis] = 1;
 }
 
 enum hobe_status mass_check(const struct hobe_model *model, const char *what,
