@@ -482,8 +482,8 @@ struct hobe_joint {
     double second[3]; /* of universal joints, at a right angle to the axis; else {0,0,0} */
     double to[3];     /* of a support that keeps a distance: the point of the ground, m; of two
                          bodies: the point of the second */
-    int at_point;
-    double point[3]; /* of bodies, m, global axes in the reference */
+    int at_point;     /* 1: `point` is given; 2: of two bodies at a distance `to`, too */
+    double point[3];  /* of bodies, m, global axes in the reference */
 };
 
 /* "revolute" etc.; NULL for no kind. */

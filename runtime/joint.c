@@ -161,15 +161,14 @@ static enum hobe_status find_on_body(const struct hobe_joint *joint, int i,
 {
     static const int yz[2] = {1, 2};
     const int apart = kinds[joint->kind].shift == APART;
-    const double *point = joint->point;
-    if (i == 1 && part[0].body && apart)
-        point = joint->to;
-    else if (!joint->at_point && part[1 - i].beam)
-        point = side[1 - i].position;
-    else if (!joint->at_point)
+    const int needed = i == 1 && part[0].body && apart ? 2 : 1;
+    const double *point = needed == 2 ? joint->to : joint->point;
+    if (joint->at_point < needed && !part[1 - i].beam)
         return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
-                         "the place on body \"%s\" is missing: point, {x, y, z} in the reference",
-                         part[i].body->spec.name);
+                         "the place on body \"%s\" is missing: %s, {x, y, z} in the reference",
+                         part[i].body->spec.name, needed == 2 ? "to" : "point");
+    if (joint->at_point < needed)
+        point = side[1 - i].position;
     tied_on_body(part[i].body, point, yz, side + i);
     return HOBE_OK;
 }

@@ -5,11 +5,8 @@
 
 #include <string.h>
 
-enum { WHERE = 1, NAME, OTHER, CURVE, OWN_NAME, ANCHORS = OWN_NAME }; /* user values of an item */
-
-/* Pushes an item with a copy of the size bytes of `value`. */
-static struct hobe_lua_item *push_item(lua_State *L, enum hobe_lua_kind kind, const void *value,
-                                       size_t size)
+struct hobe_lua_item *hobe_lua_push_item(lua_State *L, enum hobe_lua_kind kind, const void *value,
+                                         size_t size)
 {
     struct hobe_lua_item *item = lua_newuserdatauv(L, sizeof *item, ANCHORS);
     memset(item, 0, sizeof *item);
@@ -26,19 +23,25 @@ static struct hobe_lua_item *push_item(lua_State *L, enum hobe_lua_kind kind, co
     return item;
 }
 
-/* Keeps the string on top of the stack alive with the item below it, and returns it. */
-static const char *keep(lua_State *L, int anchor)
+const char *hobe_lua_keep(lua_State *L, int anchor)
 {
     const char *s = lua_tostring(L, -1);
     lua_setiuservalue(L, -2, anchor);
     return s;
 }
 
-/* The same for a copy of s. */
-static const char *keep_copy(lua_State *L, const char *s, int anchor)
+const char *hobe_lua_keep_copy(lua_State *L, const char *s, int anchor)
 {
     lua_pushstring(L, s);
-    return keep(L, anchor);
+    return hobe_lua_keep(L, anchor);
+}
+
+int hobe_lua_is_given(lua_State *L, const struct hobe_lua_schema *schema, const char *key)
+{
+    hobe_lua_push_key(L, 1, schema, key);
+    const int is = !lua_isnil(L, -1);
+    lua_pop(L, 1);
+    return is;
 }
 
 #define BEAM_NAME(owner)                                                                           \
@@ -183,13 +186,35 @@ static int beam(lua_State *L)
     read.beam.mechanics = (enum hobe_mechanics)read.mechanics;
     read.beam.integration = read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
     push_axis(L, &read.beam);
-    struct hobe_beam *b = &push_item(L, ITEM_BEAM, &read.beam, sizeof read.beam)->as.beam;
-    b->where = keep(L, WHERE);
-    b->name = keep_copy(L, b->name, NAME);
+    struct hobe_beam *b = &hobe_lua_push_item(L, ITEM_BEAM, &read.beam, sizeof read.beam)->as.beam;
+    b->where = hobe_lua_keep(L, WHERE);
+    b->name = hobe_lua_keep_copy(L, b->name, NAME);
     hobe_lua_push_key(L, 1, &beam_schema, "section");
     lua_setiuservalue(L, -2, OTHER);
     lua_pushvalue(L, 2);
     lua_setiuservalue(L, -2, CURVE);
+    return 1;
+}
+
+/* ---- masses --------------------------------------------------------------------------------- */
+
+static const struct hobe_lua_key mass_keys[] = {
+    BEAM_NAME(struct hobe_mass),
+    PLACE(struct hobe_mass),
+    KEY(struct hobe_mass, mass, KEY_NUMBER, REQUIRED, KEY_FROM(0), .unit = "kg", .doc = "the mass"),
+    KEY(struct hobe_mass, y, KEY_NUMBER, .unit = "m", .doc = "where it sits in the section, and"),
+    KEY(struct hobe_mass, z, KEY_NUMBER, .unit = "m", .doc = "likewise, from the centroid"),
+    {0}};
+
+static const struct hobe_lua_schema mass_schema = {"mass", mass_keys};
+
+static int mass(lua_State *L)
+{
+    struct hobe_mass read;
+    hobe_lua_read(L, 1, &mass_schema, &read);
+    struct hobe_mass *m = &hobe_lua_push_item(L, ITEM_MASS, &read, sizeof read)->as.mass;
+    m->where = hobe_lua_keep(L, WHERE);
+    m->beam = hobe_lua_keep_copy(L, m->beam, NAME);
     return 1;
 }
 
@@ -201,7 +226,7 @@ static int beam(lua_State *L)
 /* Keeps the name that a support or joint may have, with the item on top of the stack. */
 static const char *keep_own_name(lua_State *L, const char *name)
 {
-    return name ? keep_copy(L, name, OWN_NAME) : NULL;
+    return name ? hobe_lua_keep_copy(L, name, OWN_NAME) : NULL;
 }
 
 static const struct hobe_lua_key clamp_keys[] = {
@@ -221,9 +246,9 @@ static int clamp(lua_State *L)
     struct hobe_clamp read;
     hobe_lua_read(L, 1, &clamp_schema, &read);
     read.free_warping = read.free_warping == 2;
-    struct hobe_clamp *c = &push_item(L, ITEM_CLAMP, &read, sizeof read)->as.clamp;
-    c->where = keep(L, WHERE);
-    c->beam = keep_copy(L, c->beam, NAME);
+    struct hobe_clamp *c = &hobe_lua_push_item(L, ITEM_CLAMP, &read, sizeof read)->as.clamp;
+    c->where = hobe_lua_keep(L, WHERE);
+    c->beam = hobe_lua_keep_copy(L, c->beam, NAME);
     c->name = keep_own_name(L, c->name);
     return 1;
 }
@@ -239,50 +264,90 @@ struct joint {
 #define JOINT_KEYS                                                                                 \
     KEY(struct joint, kind, KEY_CHOICE, REQUIRED,                                                  \
         .choices = "fixed|spherical|revolute|universal|cylindrical|prismatic|planar|inline|"       \
-                   "inplane|distance",                                                             \
+                   "inplane|distance|rigid",                                                       \
         .doc = "what it stops.  All translations: fixed, and all rotations; spherical, no "        \
                "rotation; revolute, all but the one about the axis; universal, the one that "      \
                "would take `axis` and `second` from their right angle.  Translations across the "  \
                "axis: cylindrical, and all rotations but about it; prismatic, and all rotations; " \
                "inline, no rotation.  The translation along the axis: planar, and all rotations "  \
                "but about it; inplane, no rotation.  The translation along the line between two "  \
-               "places that are apart: distance, a rod without mass.  Warping stays free"),        \
+               "places that are apart: distance, a rod without mass.  rigid, to a body or the "    \
+               "ground: all, and the mean plane of the beam's section is that part's, without "    \
+               "shear or strain.  Warping stays free"),                                            \
         JOINT("axis", axis, KEY_VECTOR,                                                            \
               .doc = "its axis in the reference, global; it moves with the first beam, or stays"), \
         JOINT("second", second, KEY_VECTOR,                                                        \
               .doc = "of a universal joint: the axis of the second beam, at a right angle"),       \
+        JOINT("point", point, KEY_VECTOR, .unit = "m",                                             \
+              .doc = "the place on a body, global, in the reference"),                             \
         OWN_NAME_KEY(struct joint, joint.name),                                                    \
     {                                                                                              \
         0                                                                                          \
     }
 
 static const struct hobe_lua_key support_keys[] = {
-    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam"),
-    JOINT("at", at[0], KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),
-          .doc = "place on the beam, as a fraction of its length"),
+    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam or body"),
+    JOINT("at", at[0], KEY_NUMBER, KEY_WITHIN(0, 1),
+          .doc = "place on the beam, as a fraction of its length; a body has a point instead"),
     JOINT("to", to, KEY_VECTOR, .unit = "m",
           .doc = "of a support that keeps a distance: the point of the ground from which"),
     JOINT_KEYS};
 
 static const struct hobe_lua_key joint_keys[] = {
-    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the first beam"),
-    JOINT("other", beam[1], KEY_TEXT, REQUIRED, .position = 2, .doc = "name of the second beam"),
-    JOINT("at", at, KEY_PAIR, REQUIRED, .doc = "the places on both, as fractions of their length"),
+    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1,
+          .doc = "name of the first beam or body"),
+    JOINT("other", beam[1], KEY_TEXT, REQUIRED, .position = 2, .doc = "name of the second"),
+    KEY_OF_OTHER("at", "number or {a, b}",
+                 .doc =
+                     "the places on both, as fractions of their length; or one number, of a beam "
+                     "that is joined to a body, whose place is where the beam's is, or `point`"),
+    JOINT("to", to, KEY_VECTOR, .unit = "m",
+          .doc = "of two bodies at a distance: the point of the second"),
     JOINT_KEYS};
 
 static const struct hobe_lua_schema support_schema = {"support", support_keys};
 static const struct hobe_lua_schema joint_schema = {"joint", joint_keys};
 
+/* A place is needed: `at` of a beam or the point of a body. */
+static void check_place(lua_State *L, const struct hobe_lua_schema *schema)
+{
+    if (!hobe_lua_is_given(L, schema, "at") && !hobe_lua_is_given(L, schema, "point"))
+        hobe_lua_fail(L,
+                      "%s: at is missing: the place on a beam, as a fraction of its length; or "
+                      "point, {x, y, z}, of a body",
+                      schema->name);
+}
+
+/* What joints have and supports have not: two places, as one number or two, or two points. */
+static void read_two(lua_State *L, struct hobe_joint *joint)
+{
+    static const struct hobe_lua_key one = {.type = KEY_NUMBER, KEY_WITHIN(0, 1)};
+    static const struct hobe_lua_key two = {.type = KEY_PAIR};
+    hobe_lua_push_key(L, 1, &joint_schema, "at");
+    const int number = lua_type(L, -1) == LUA_TNUMBER;
+    hobe_lua_read_value(L, -1, "joint: at", number ? &one : &two, joint->at);
+    if (number)
+        joint->at[1] = joint->at[0];
+    lua_pop(L, 1);
+    if (joint->at_point && hobe_lua_is_given(L, &joint_schema, "to"))
+        joint->at_point = 2;
+}
+
 static int push_joint(lua_State *L, const struct hobe_lua_schema *schema)
 {
     struct joint read = {0};
     hobe_lua_read(L, 1, schema, &read);
+    check_place(L, schema);
+    read.joint.at_point = hobe_lua_is_given(L, schema, "point");
+    if (schema == &joint_schema)
+        read_two(L, &read.joint);
     read.joint.kind = (enum hobe_joint_kind)(read.kind - 1);
-    struct hobe_joint *j = &push_item(L, ITEM_JOINT, &read.joint, sizeof read.joint)->as.joint;
-    j->where = keep(L, WHERE);
-    j->beam[0] = keep_copy(L, j->beam[0], NAME);
+    struct hobe_joint *j =
+        &hobe_lua_push_item(L, ITEM_JOINT, &read.joint, sizeof read.joint)->as.joint;
+    j->where = hobe_lua_keep(L, WHERE);
+    j->beam[0] = hobe_lua_keep_copy(L, j->beam[0], NAME);
     if (j->beam[1])
-        j->beam[1] = keep_copy(L, j->beam[1], OTHER);
+        j->beam[1] = hobe_lua_keep_copy(L, j->beam[1], OTHER);
     j->name = keep_own_name(L, j->name);
     return 1;
 }
@@ -324,27 +389,35 @@ static int join(lua_State *L)
         if (read.at[i] != 0 && read.at[i] != 1)
             hobe_lua_fail(L, "join: at[%d] must be an end of the beam, 0 or 1, got %f", i + 1,
                           read.at[i]);
-    struct hobe_join *j = &push_item(L, ITEM_JOIN, &read, sizeof read)->as.join;
-    j->where = keep(L, WHERE);
-    j->beam[0] = keep_copy(L, j->beam[0], NAME);
-    j->beam[1] = keep_copy(L, j->beam[1], OTHER);
+    struct hobe_join *j = &hobe_lua_push_item(L, ITEM_JOIN, &read, sizeof read)->as.join;
+    j->where = hobe_lua_keep(L, WHERE);
+    j->beam[0] = hobe_lua_keep_copy(L, j->beam[0], NAME);
+    j->beam[1] = hobe_lua_keep_copy(L, j->beam[1], OTHER);
     return 1;
 }
 
 /* ---- loads ---------------------------------------------------------------------------------- */
 
+#define PART_NAME(owner)                                                                           \
+    KEY(owner, beam, KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam or body")
+#define PART_PLACE(owner)                                                                          \
+    KEY(owner, at, KEY_NUMBER, KEY_WITHIN(0, 1),                                                   \
+        .doc = "place on the beam, as a fraction of its length")
+
 static const struct hobe_lua_key force_keys[] = {
-    BEAM_NAME(struct hobe_force),
-    PLACE(struct hobe_force),
+    PART_NAME(struct hobe_force),
+    PART_PLACE(struct hobe_force),
+    KEY(struct hobe_force, point, KEY_VECTOR, .unit = "m",
+        .doc = "place on a body, {x, y, z}, global, in the reference"),
     KEY(struct hobe_force, value, KEY_VECTOR, REQUIRED, .unit = "N",
         .doc = "the force {x, y, z}, global axes"),
     KEY(struct hobe_force, follower, KEY_FLAG,
-        .doc = "whether the force turns with the section (false: it keeps its direction)"),
+        .doc = "whether the force turns with the section or body (false: it keeps its direction)"),
     {0}};
 
 static const struct hobe_lua_key moment_keys[] = {
-    BEAM_NAME(struct hobe_moment),
-    PLACE(struct hobe_moment),
+    PART_NAME(struct hobe_moment),
+    PART_PLACE(struct hobe_moment),
     KEY(struct hobe_moment, value, KEY_VECTOR, REQUIRED, .unit = "N m",
         .doc = "the moment {x, y, z} about the global axes"),
     {0}};
@@ -362,9 +435,11 @@ static int force(lua_State *L)
 {
     struct hobe_force read;
     hobe_lua_read(L, 1, &force_schema, &read);
-    struct hobe_force *f = &push_item(L, ITEM_FORCE, &read, sizeof read)->as.force;
-    f->where = keep(L, WHERE);
-    f->beam = keep_copy(L, f->beam, NAME);
+    check_place(L, &force_schema);
+    read.at_point = hobe_lua_is_given(L, &force_schema, "point");
+    struct hobe_force *f = &hobe_lua_push_item(L, ITEM_FORCE, &read, sizeof read)->as.force;
+    f->where = hobe_lua_keep(L, WHERE);
+    f->beam = hobe_lua_keep_copy(L, f->beam, NAME);
     return 1;
 }
 
@@ -372,9 +447,10 @@ static int moment(lua_State *L)
 {
     struct hobe_moment read;
     hobe_lua_read(L, 1, &moment_schema, &read);
-    struct hobe_moment *m = &push_item(L, ITEM_MOMENT, &read, sizeof read)->as.moment;
-    m->where = keep(L, WHERE);
-    m->beam = keep_copy(L, m->beam, NAME);
+    read.at_point = !hobe_lua_is_given(L, &moment_schema, "at");
+    struct hobe_moment *m = &hobe_lua_push_item(L, ITEM_MOMENT, &read, sizeof read)->as.moment;
+    m->where = hobe_lua_keep(L, WHERE);
+    m->beam = hobe_lua_keep_copy(L, m->beam, NAME);
     return 1;
 }
 
@@ -382,8 +458,9 @@ static int gravity(lua_State *L)
 {
     struct hobe_lua_gravity read;
     hobe_lua_read(L, 1, &gravity_schema, &read);
-    struct hobe_lua_gravity *g = &push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
-    g->where = keep(L, WHERE);
+    struct hobe_lua_gravity *g =
+        &hobe_lua_push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
+    g->where = hobe_lua_keep(L, WHERE);
     return 1;
 }
 
@@ -394,26 +471,38 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      "A beam of elements of equal length on a straight or curved axis, on which its section can "
      "turn.",
      &beam_schema, NULL},
+    {"body", hobe_lua_body,
+     "hobe.body{name =, mass =, centre =, inertia =, axis =, second =} or hobe.body{name =, shape "
+     "=, "
+     "..., density =, centre =}",
+     "A rigid body, in natural coordinates: its centre of mass and three directions.  Joints, "
+     "supports, forces and moments name it as they name a beam.",
+     &hobe_lua_body_schema, NULL},
+    {"mass", mass, "hobe.mass{\"beam\", at =, mass =}",
+     "A mass at a point of a beam, which every mode of the section moves.", &mass_schema, NULL},
     {"clamp", clamp, "hobe.clamp{\"beam\", at =}", "Holds a node of a beam in place and direction.",
      &clamp_schema, NULL},
     {"support", support, "hobe.support{\"beam\", at =, kind =, axis =}",
-     "Holds a place of a beam as a joint to the ground would.", &support_schema, NULL},
+     "Holds a place of a beam, or a point of a body, as a joint to the ground would.",
+     &support_schema, NULL},
     {"joint", joint, "hobe.joint{\"a\", \"b\", at = {1, 0}, kind =, axis =}",
-     "A joint between places of two beams, which must coincide but for a distance.  Directions "
-     "that move with a beam "
-     "are carried by its section's slopes y and z and by their normal.",
+     "A joint between places of two beams or bodies, which must coincide but for a distance.  "
+     "Directions that move with a beam are carried by its section's slopes y and z and by their "
+     "normal.",
      &joint_schema, NULL},
     {"join", join, "hobe.join{\"a\", \"b\", at = {1, 0}}",
      "Makes ends of two beams one node, rigidly, at any angle; the ends must coincide.",
      &join_schema, NULL},
     {"force", force, "hobe.force{\"beam\", at =, value = {x, y, z}}",
-     "A point force on the axis of a beam, dead or following the section.", &force_schema, NULL},
+     "A force on the axis of a beam or on a body, dead or following the section or the body.",
+     &force_schema, NULL},
     {"moment", moment, "hobe.moment{\"beam\", at =, value = {x, y, z}}",
      "A moment, conservative.  Resolved on the beam's axes in the reference, (m_x, m_y, m_z), its "
      "potential is -m_x (a + b)/2 - m_y c - m_z d: a and b the angles of the section's slopes y "
      "and "
-     "z about x, c that of slope z about y, d that of slope y about z.",
+     "z about x, c that of slope z about y, d that of slope y about z; of a body its global axes "
+     "and its directions that are Y and Z in the reference.",
      &moment_schema, NULL},
     {"gravity", gravity, "hobe.gravity{0, 0, -9.81}",
-     "Gravity on every beam of the scene; several add up.", &gravity_schema, NULL},
+     "Gravity on every beam, body and mass of the scene; several add up.", &gravity_schema, NULL},
     {0}};

@@ -34,7 +34,7 @@ static const struct hobe_lua_field fields[] = {
     FOUND("count", modes.count, 'i', NULL, "modes found"),
     FOUND("unstable", modes.unstable, 'i', NULL,
           "modes of the scene with omega^2 < 0, asked for or not; -1 where they were not counted"),
-    FOUND("mass", modes.mass, 'd', "kg", "of all beams"),
+    FOUND("mass", modes.mass, 'd', "kg", "of all beams, bodies and masses"),
     FOUND("unknowns", modes.unknowns, 'l', NULL, "scalar unknowns"),
     FOUND("setup_seconds", model.setup, 'd', "s", "building the scene"),
     FOUND("solve_seconds", modes.seconds, 'd', "s", "finding the modes"),
@@ -160,10 +160,16 @@ static int shape(lua_State *L)
     static const struct hobe_lua_key offset_key = {.name = "offset", .type = KEY_NUMBER};
     const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
     struct hobe_error err;
-    double at, y, z, u[3];
+    double at, y, z, u[3], point[3];
     lua_settop(L, 6);
     const int i = read_index(L, modes, "shape");
     const char *beam = hobe_lua_text(L, 3, "shape: the beam");
+    if (hobe_model_has_body(modes->model, beam)) {
+        const int given = hobe_lua_read_body_point(L, 4, "shape", point);
+        if (hobe_modes_body(modes->modes, i, beam, given ? point : NULL, u, &err))
+            hobe_lua_raise(L, &err);
+        return hobe_lua_push_numbers(L, u, 3);
+    }
     hobe_lua_read_value(L, 4, "shape: at", &at_key, &at);
     hobe_lua_read_value(L, 5, "shape: y", &offset_key, &y);
     hobe_lua_read_value(L, 6, "shape: z", &offset_key, &z);

@@ -178,19 +178,41 @@ static struct hobe_point read_point(lua_State *L, const char *name)
     return point;
 }
 
+/* The same of a beam or a body; the argument behind a body's name is a point of it, or nil. */
+static struct hobe_body_point read_motion(lua_State *L, const char *name)
+{
+    const struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_body_point is;
+    struct hobe_error err;
+    double point[3];
+    lua_settop(L, 5);
+    const char *part = hobe_lua_text(L, 2, lua_pushfstring(L, "%s: the beam or body", name));
+    if (!hobe_model_has_body(result->model, part)) {
+        const struct hobe_point of = read_point(L, name);
+        memcpy(is.u, of.u, sizeof is.u);
+        memcpy(is.r, of.r, sizeof is.r);
+        memcpy(is.rotation, of.rotation, sizeof is.rotation);
+        return is;
+    }
+    const int given = hobe_lua_read_body_point(L, 3, name, point);
+    if (hobe_solution_body(result->solution, part, given ? point : NULL, &is, &err))
+        hobe_lua_raise(L, &err);
+    return is;
+}
+
 static int displacement(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "displacement").u, 3);
+    return hobe_lua_push_numbers(L, read_motion(L, "displacement").u, 3);
 }
 
 static int position(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "position").r, 3);
+    return hobe_lua_push_numbers(L, read_motion(L, "position").r, 3);
 }
 
 static int rotation(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "rotation").rotation, 3);
+    return hobe_lua_push_numbers(L, read_motion(L, "rotation").rotation, 3);
 }
 
 static int strain(lua_State *L)
@@ -316,12 +338,14 @@ static int reaction(lua_State *L)
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"displacement", displacement, "r:displacement(beam, at [, y, z])",
      "`{u1, u2, u3}`, m, global axes, at the fraction `at` of the beam's length; of the axis, or "
-     "of the point (y, z) of the section, m from the centroid.",
+     "of the point (y, z) of the section, m from the centroid.  Of a body: "
+     "`r:displacement(body [, point])`, of its centre of mass, or of the point that was at "
+     "`{x, y, z}` in the reference.",
      NULL, NULL},
-    {"position", position, "r:position(beam, at [, y, z])", "`{x, y, z}`, m, global axes.", NULL,
-     NULL},
+    {"position", position, "r:position(beam, at [, y, z])",
+     "`{x, y, z}`, m, global axes; also of a body.", NULL, NULL},
     {"rotation", rotation, "r:rotation(beam, at)",
-     "The rotation vector of the section, rad, global axes.", NULL, NULL},
+     "The rotation vector of the section, or of a body, rad, global axes.", NULL, NULL},
     {"twist", twist, "r:twist(beam, at)",
      "`atan2(-r_z.Y, r_z.Z)`, rad, with Y and Z the section's axes before the load, and its whole "
      "turns, counted along the beam from its first clamp (its begin, without one).  The slope "
