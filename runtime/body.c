@@ -263,6 +263,44 @@ enum hobe_status body_ties(struct hobe_model *model, struct hobe_error *err)
     return status;
 }
 
+/* ---- scale ----------------------------------------------------------------------------------- */
+
+/* The smallest scale of the vectors in the position of a place; INFINITY where none has one. */
+static double scale_of(const struct hobe_model *model, const struct tie *tie, int side,
+                       const double *scale)
+{
+    double least = INFINITY;
+    for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++) {
+        const long unknown = model->unknown[tie->vector[t->entry]];
+        for (int a = 0; a < 3 && t->what == 3 * side && unknown >= 0; a++)
+            if (scale[3 * unknown + a] > 0)
+                least = fmin(least, scale[3 * unknown + a]);
+    }
+    return least;
+}
+
+/* The vectors of a body at most by `most` per metre. */
+static void limit(const struct hobe_model *model, const struct body *body, double most,
+                  double *scale)
+{
+    for (int v = 0; v < BODY_VECTORS; v++)
+        for (int a = 0; a < 3; a++) {
+            double *s = scale + 3 * model->unknown[body->first + v] + a;
+            *s = fmin(*s > 0 ? *s : 1, v == 0 ? most : most / body_radius(body));
+        }
+}
+
+void body_scale(const struct hobe_model *model, double *scale)
+{
+    for (int bodies = 0; bodies < 2; bodies++) /* joined to beams first, then to each other */
+        for (size_t i = 0; i < model->ties.count && model->bodies.count; i++) {
+            const struct tie *tie = model_tie(model, i);
+            for (int s = 0; s < 2; s++)
+                if (tie->side[s].body && !tie->side[1 - s].body == !bodies)
+                    limit(model, tie->side[s].body, scale_of(model, tie, 1 - s, scale), scale);
+        }
+}
+
 /* ---- fields ---------------------------------------------------------------------------------- */
 
 void body_weights(const struct body *body, const double point[3], double weight[BODY_VECTORS])

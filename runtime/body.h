@@ -52,6 +52,11 @@ double body_radius(const struct body *body);
 /* Adds the two ties that keep each body rigid. */
 enum hobe_status body_ties(struct hobe_model *model, struct hobe_error *err);
 
+/* A body has no stiffness of its own but what its multipliers make, of any size and sign: its
+ * vectors are scaled at least as those of what it is joined to, scale[3 unknowns] = diag^(-1/2), so
+ * that beside the constraints that is small. */
+void body_scale(const struct hobe_model *model, double *scale);
+
 /* weight[BODY_VECTORS] of the body's vectors in the position of a point of it, global axes in the
  * reference, m; NULL: its centre. */
 void body_weights(const struct body *body, const double point[3], double weight[BODY_VECTORS]);
