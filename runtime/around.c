@@ -58,20 +58,39 @@ void around_axis(struct around *p)
     p->kernel->section_modes(0, 0, none, p->phi);
 }
 
-void around_field(const struct around *p, const double *q, double value[3], double F[3][3])
+void around_amplitudes(const struct around *p, const double *q, struct amplitudes *of)
 {
-    for (int a = 0; a < 3; a++)
-        value[a] = F[a][0] = F[a][1] = F[a][2] = 0;
+    memset(of->a, 0, (size_t)p->kernel->modes * sizeof *of->a);
+    memset(of->ax, 0, (size_t)p->kernel->modes * sizeof *of->ax);
     for (int v = 0; v < p->kernel->vectors; v++) {
-        const double *phi = p->phi[p->kernel->vector[v].mode];
-        for (int a = 0; a < 3; a++) {
-            const double x = q[3 * v + a];
-            value[a] += p->N[v] * phi[0] * x;
-            F[a][0] += (p->Nx[v] * phi[0] + p->N[v] * phi[3]) * x;
-            F[a][1] += p->N[v] * phi[1] * x;
-            F[a][2] += p->N[v] * phi[2] * x;
+        double *a = of->a[p->kernel->vector[v].mode], *ax = of->ax[p->kernel->vector[v].mode];
+        for (int c = 0; c < 3; c++) {
+            a[c] += p->N[v] * q[3 * v + c];
+            ax[c] += p->Nx[v] * q[3 * v + c];
         }
     }
+}
+
+void amplitudes_field(const struct amplitudes *of, int modes, const double (*phi)[4],
+                      double value[3], double F[3][3])
+{
+    for (int c = 0; c < 3; c++)
+        value[c] = F[c][0] = F[c][1] = F[c][2] = 0;
+    for (int m = 0; m < modes; m++)
+        for (int c = 0; c < 3; c++) {
+            const double a = of->a[m][c];
+            value[c] += phi[m][0] * a;
+            F[c][0] += phi[m][0] * of->ax[m][c] + phi[m][3] * a;
+            F[c][1] += phi[m][1] * a;
+            F[c][2] += phi[m][2] * a;
+        }
+}
+
+void around_field(const struct around *p, const double *q, double value[3], double F[3][3])
+{
+    struct amplitudes of;
+    around_amplitudes(p, q, &of);
+    amplitudes_field(&of, p->kernel->modes, (const double(*)[4])p->phi, value, F);
 }
 
 double determinant(const double F[3][3])

@@ -34,7 +34,20 @@ enum hobe_status around_modes(struct around *p, double y, double z, struct hobe_
  * is no part of its mean plane, and in a hollow section nothing real. */
 void around_axis(struct around *p);
 
-/* Value and gradient by x, y, z of the field sum_v N_v phi_v q_v, q[vectors][3]. */
+/* A field sum_v N_v phi_v q_v is sum_m phi_m a_m: the section modes' amplitudes a at a place, and
+ * their derivatives along the beam. */
+struct amplitudes {
+    double a[HOBE_MAX_MODES][3], ax[HOBE_MAX_MODES][3];
+};
+
+/* Of the field with the vectors q[vectors][3]. */
+void around_amplitudes(const struct around *p, const double *q, struct amplitudes *of);
+
+/* Value and gradient by x, y, z at the point of phi. */
+void amplitudes_field(const struct amplitudes *of, int modes, const double (*phi)[4],
+                      double value[3], double F[3][3]);
+
+/* Both at once: value and gradient of the field with the vectors q[vectors][3] at p's point. */
 void around_field(const struct around *p, const double *q, double value[3], double F[3][3]);
 
 /* F = dr/dX at phi's point, columns along the section's axes in the reference; returns det J0, the

@@ -321,6 +321,35 @@ void body_tangent_add(const struct hobe_model *model, const struct body *body, i
             K->value[place + c * stride + a] += block[a][c];
 }
 
+void body_mass_force(const struct body *body, const double A[3][3], const double *a, double *f)
+{
+    for (int v = 0; v < BODY_VECTORS; v++)
+        for (int w = 0; w < BODY_VECTORS; w++)
+            for (int c = 0; c < 3; c++)
+                f[3 * (body->first + v) + c] +=
+                    body->mass[v][w] * dot3(A[c], a + 3 * (body->first + w));
+}
+
+void body_mass_matrix(const struct hobe_model *model, const struct body *body, const double A[3][3],
+                      const struct matrix *K)
+{
+    for (int v = 0; v < BODY_VECTORS; v++)
+        for (int w = 0; w < BODY_VECTORS; w++) {
+            double block[3][3];
+            times3(body->mass[v][w], A, block);
+            body_tangent_add(model, body, v, w, (const double(*)[3])block, K);
+        }
+}
+
+double body_mass_product(const struct body *body, const double *a, const double *b)
+{
+    double sum = 0;
+    for (int v = 0; v < BODY_VECTORS; v++)
+        for (int w = 0; w < BODY_VECTORS; w++)
+            sum += body->mass[v][w] * dot3(a + 3 * (body->first + v), b + 3 * (body->first + w));
+    return sum;
+}
+
 void body_reference(const struct body *body, double *q)
 {
     memcpy(q + 3 * body->first, body->spec.centre, sizeof body->spec.centre);

@@ -68,6 +68,14 @@ void body_tangent_add(const struct hobe_model *model, const struct body *body, i
 /* Its vectors in the reference, q[vectors][3], m and 1. */
 void body_reference(const struct body *body, double *q);
 
+/* f[vectors][3] += its part of (m (x) A) a, and K += that of m (x) A: mass.h. */
+void body_mass_force(const struct body *body, const double A[3][3], const double *a, double *f);
+void body_mass_matrix(const struct hobe_model *model, const struct body *body, const double A[3][3],
+                      const struct matrix *K);
+
+/* a'M b of two fields [vectors][3]. */
+double body_mass_product(const struct body *body, const double *a, const double *b);
+
 /* Displacement u of a point, as in body_weights, of the field vectors[..][3]; and where it is in
  * the reference, r0. */
 void body_displacement(const struct body *body, const double *vectors, const double point[3],

@@ -10,8 +10,8 @@
  * has the same solution as K (u, l) = (f, g), and is congruent to K, so that it has the same number
  * of negative eigenvalues.  Where A is positive definite on what B leaves free, and semidefinite
  * elsewhere, A + E'E is positive definite; where A and E are scaled to entries of order one, it is
- * as well conditioned as K.  Then any order is good in which a multiplier comes after the vectors it
- * ties: their pivots are positive, its own are those of -B (A + E'E)^-1 B', negative.
+ * as well conditioned as K.  Then any order is good in which a multiplier comes after the vectors
+ * it ties: their pivots are positive, its own are those of -B (A + E'E)^-1 B', negative.
  *
  * Spare multipliers, whose diagonal is not zero, must tie nothing. */
 #ifndef HOBE_BORDER_H

@@ -3,10 +3,11 @@
  * of the linear response but without its displacements, becomes singular: (K + mu G) phi = 0.
  *
  * K v = Q is the response to all loads.  G, the geometric stiffness, is the second derivative of
- * the strains by the displacements times the stresses of v; of a joint that of its constraints
- * times v's multipliers; and of loads that depend on the state -dQ/du.  What v's rotations change
- * in K is left out, as everywhere in linear buckling: linear in mu it would be no rotation but a
- * strain, and soften a beam that bends before it buckles.
+ * the strains by the displacements times the stresses of v; of a spring that of its extension
+ * times v's force, of a joint that of its constraints times v's multipliers; and of loads that
+ * depend on the state -dQ/du.  What v's rotations change in K is left out, as everywhere in linear
+ * buckling: linear in mu it would be no rotation but a strain, and soften a beam that bends before
+ * it buckles.
  *
  * G is the central difference of the tangent of elements that are strained by +-epsilon v in place:
  * exact where strains are quadratic in u. */
@@ -16,6 +17,7 @@
 #include "modes.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -33,21 +35,23 @@ static const double BEYOND = 10;
 static void loads_at(struct pencil *s)
 {
     memset(s->r, 0, (size_t)(3 * s->model->vectors) * sizeof *s->r);
-    load_subtract(s->model, s->u, &AT_REST, -1, s->r, NULL);
+    const struct instant instant = solution_instant(s->state);
+    load_subtract(s->model, s->u, &instant, -1, s->r, NULL);
 }
 
 /* rate[vectors][3] = v with K v = Q, by K's factors, zero where held. */
 static enum hobe_status find_rate(struct pencil *s, double *rate, struct hobe_error *err)
 {
     const hobe_model *model = s->model;
-    long column;
     loads_at(s);
     for (long v = 0; v < model->vectors; v++)
         for (int a = 0; a < 3 && model->unknown[v] >= 0; a++)
             s->product[3 * model->unknown[v] + a] = s->r[3 * v + a];
-    enum hobe_status status = hobe_linsolve_factor(model->solver, s->Ax, s->scale, &column, err);
+    enum hobe_status status = model_failure(model, err);
     if (!status)
-        status = hobe_linsolve_solve(model->solver, s->product, err);
+        status = pencil_factor(s, s->Ax, s->scale, err);
+    if (!status)
+        status = pencil_divide(s, s->product, err);
     for (long v = 0; v < model->vectors; v++)
         for (int a = 0; a < 3 && model->unknown[v] >= 0; a++)
             rate[3 * v + a] = s->product[3 * model->unknown[v] + a];
@@ -60,14 +64,16 @@ static void stiffen(struct pencil *s, const double *rate, double lambda, double 
 {
     const hobe_model *model = s->model;
     const struct matrix K = {COLUMNS, Ax};
+    const struct instant instant = solution_instant(s->state);
     const long moving = 3 * model->moving, all = 3 * model->vectors;
     for (long i = 0; i < moving; i++)
         v[i] = step * rate[i];
     assemble_strained(model, s->u, v, &K);
+    spring_strained(model, s->u, v, &K);
     for (long i = 0; i < all; i++) /* multipliers are forces */
         v[i] = s->u[i] + (i < moving ? 0 : step * rate[i]);
-    constraint_add(model, v, &AT_REST, s->r, &K);
-    load_subtract(model, s->u, &AT_REST, lambda + step, s->r, &K);
+    constraint_add(model, v, &instant, s->r, &K);
+    load_subtract(model, s->u, &instant, lambda + step, s->r, &K);
 }
 
 /* Mx = -D G D by the central difference over +-step; the largest of its entries. */

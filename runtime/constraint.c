@@ -5,7 +5,10 @@
 #include "element.h"
 #include "vector3.h"
 
+#include <math.h>
 #include <string.h>
+
+enum { ORDERS = 3 }; /* a value and its derivatives by time */
 
 /* c += factor a */
 static void add(double factor, const double a[3], double c[3])
@@ -182,6 +185,92 @@ void tie_free(struct tie *tie)
         hobe_free(tie->place[layout]);
 }
 
+/* ---- drives ---------------------------------------------------------------------------------- */
+
+/* s[3] = value and two derivatives of a drive at an instant, zero without one. */
+static enum hobe_status drive_at(hobe_drive *drive, const struct instant *instant, double s[3],
+                                 struct hobe_error *err)
+{
+    memset(s, 0, sizeof(double[3]));
+    const int moves = drive && instant->held_back < 1;
+    const enum hobe_status status = moves ? hobe_drive_at(drive, instant->time, s, err) : HOBE_OK;
+    for (int p = 0; p < 3; p++)
+        s[p] *= 1 - instant->held_back;
+    return status;
+}
+
+/* turned = (alpha [e]x + beta [e]x^2) turn */
+static void turn_columns(const double e[3], double alpha, double beta, const double turn[3][3],
+                         double turned[3][3])
+{
+    for (int j = 0; j < 3; j++) {
+        const double column[3] = {turn[0][j], turn[1][j], turn[2][j]};
+        double once[3], twice[3];
+        cross3(e, column, once);
+        cross3(e, once, twice);
+        for (int i = 0; i < 3; i++)
+            turned[i][j] = alpha * once[i] + beta * twice[i];
+    }
+}
+
+/* The p-th derivative by time of a constraint: of the rotation R = 1 + sin(theta) [e]x + (1 -
+ * cos(theta)) [e]x^2, whose alpha and beta are those of sine and 1 - cosine, and of the way. */
+static struct constraint drive_constraint(const struct tie *tie, const struct constraint *is, int p,
+                                          double alpha, double beta, double way)
+{
+    struct constraint c = p == 0 ? *is : (struct constraint){.offset = 0};
+    double turned[3][3];
+    turn_columns(tie->axis, alpha, beta, is->turn, turned);
+    c.offset = is->driven ? -way : 0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            c.turn[i][j] += turned[i][j];
+            if (p == 0) /* as `value` takes D_a0' D_b0 from D_a' D_b */
+                c.offset += turned[i][j] * dot3(tie->side[0].D0[i], tie->side[1].D0[j]);
+        }
+    return c;
+}
+
+/* c[p][k] = the p-th derivative by time of constraint k at an instant, p < ORDERS. */
+static enum hobe_status constraints_at(const struct tie *tie, const struct instant *instant,
+                                       struct constraint c[ORDERS][TIE_CONSTRAINTS],
+                                       struct hobe_error *err)
+{
+    double a[ORDERS], s[ORDERS];
+    if (drive_at(tie->angle, instant, a, err) || drive_at(tie->position, instant, s, err))
+        return HOBE_BAD_INPUT;
+    const double sine = sin(a[0]), cosine = cos(a[0]), half = sin(a[0] / 2);
+    const double alpha[ORDERS] = {sine, a[1] * cosine, a[2] * cosine - a[1] * a[1] * sine};
+    const double beta[ORDERS] = {2 * half * half, a[1] * sine, a[2] * sine + a[1] * a[1] * cosine};
+    for (int k = 0; k < tie->constraints; k++) {
+        const struct constraint *is = tie->constraint + k;
+        const double way[ORDERS] = {s[0] + is->bend / 2 * s[0] * s[0],
+                                    s[1] + is->bend * s[0] * s[1],
+                                    s[2] + is->bend * (s[1] * s[1] + s[0] * s[2])};
+        if (1 + is->bend * s[0] <= 0)
+            return hobe_fail(err, HOBE_BAD_INPUT, tie->where,
+                             "a distance of %g m cannot change by %g m, at t = %g s", 1 / is->bend,
+                             s[0], instant->time);
+        for (int p = 0; p < ORDERS; p++)
+            c[p][k] = drive_constraint(tie, is, p, alpha[p], beta[p], way[p]);
+    }
+    return HOBE_OK;
+}
+
+/* The same; where a drive fails the model hears of it, and all is NaN. */
+static void constraints_now(const struct hobe_model *model, const struct tie *tie,
+                            const struct instant *instant,
+                            struct constraint c[ORDERS][TIE_CONSTRAINTS])
+{
+    struct hobe_error err;
+    if (!constraints_at(tie, instant, c, &err))
+        return;
+    model_fail(model, tie->where, &err);
+    for (int p = 0; p < ORDERS; p++)
+        for (int k = 0; k < tie->constraints; k++)
+            c[p][k] = (struct constraint){.offset = NAN};
+}
+
 /* ---- the constraints ------------------------------------------------------------------------- */
 
 /* Both places in a state.  Phi is a difference of nearly equal directions: it is formed from
@@ -191,14 +280,18 @@ struct state {
     double lambda[TIE_CONSTRAINTS];
 };
 
+void tie_motion(const struct tie *tie, const double *field, double moved[TIE_VECTORS][3])
+{
+    memset(moved, 0, sizeof(double[TIE_VECTORS][3]));
+    for (const struct tie_term *t = tie->term; field && t < tie->term + tie->terms; t++)
+        add(t->weight, field + 3 * tie->vector[t->entry], moved[t->what]);
+}
+
 static void read_state(const struct tie *tie, const double *u, struct state *s)
 {
-    double moved[TIE_VECTORS][3] = {{0}};
+    double moved[TIE_VECTORS][3];
     *s = (struct state){0};
-    for (int t = 0; u && t < tie->terms; t++) {
-        const struct tie_term *term = tie->term + t;
-        add(term->weight, u + 3 * tie->vector[term->entry], moved[term->what]);
-    }
+    tie_motion(tie, u, moved);
     for (int k = 0; u && k < tie->constraints; k++)
         s->lambda[k] = u[3 * tie->multiplier + k];
     for (int a = 0; a < 3; a++)
@@ -219,7 +312,7 @@ static void read_state(const struct tie *tie, const double *u, struct state *s)
 
 static double value(const struct constraint *c, const struct tie *tie, const struct state *s)
 {
-    double phi = dot3(c->hold, s->d) + c->bend / 2 * dot3(s->d, s->d);
+    double phi = c->offset + dot3(c->hold, s->d) + c->bend / 2 * dot3(s->d, s->d);
     for (int i = 0; i < 3; i++) {
         phi += c->slide[i] * dot3(s->D[0][i], s->d);
         for (int j = 0; j < 3; j++)
@@ -260,12 +353,12 @@ static void gradient(const struct constraint *c, const struct state *s, double g
     }
 }
 
-/* sum_k lambda_k of the constraints. */
-static struct constraint combine(const struct tie *tie, const double *lambda)
+/* sum_k lambda_k of the constraints c. */
+static struct constraint combine(const struct tie *tie, const struct constraint *c,
+                                 const double *lambda)
 {
-    struct constraint sum = {0};
-    for (int k = 0; k < tie->constraints; k++) {
-        const struct constraint *c = tie->constraint + k;
+    struct constraint sum = {.offset = 0};
+    for (int k = 0; k < tie->constraints; k++, c++) {
         add(lambda[k], c->slide, sum.slide);
         add(lambda[k], c->hold, sum.hold);
         sum.bend += lambda[k] * c->bend;
@@ -283,12 +376,17 @@ void tie_jacobian(const struct tie *tie, const double *u, double J[TIE_CONSTRAIN
         gradient(tie->constraint + k, &s, J[k]);
 }
 
-void tie_reaction(const struct tie *tie, const double *u, double force[3], double moment[3])
+enum hobe_status tie_reaction(const struct tie *tie, const double *u, const struct instant *instant,
+                              double force[3], double moment[3], struct hobe_error *err)
 {
     struct state s;
+    struct constraint c[ORDERS][TIE_CONSTRAINTS];
     double g[TIE_VECTORS][3];
+    const enum hobe_status status = constraints_at(tie, instant, c, err);
+    if (status)
+        return status;
     read_state(tie, u, &s);
-    const struct constraint sum = combine(tie, s.lambda);
+    const struct constraint sum = combine(tie, c[0], s.lambda);
     gradient(&sum, &s, g);
     for (int a = 0; a < 3; a++) {
         force[a] = -g[3][a];
@@ -296,6 +394,7 @@ void tie_reaction(const struct tie *tie, const double *u, double force[3], doubl
     }
     for (int i = 1; i < 3; i++)
         add_cross(g[3 + i], s.D[1][i], moment);
+    return HOBE_OK;
 }
 
 /* H += factor A' B */
@@ -342,6 +441,17 @@ static void hessian(const struct constraint *c, const struct state *s,
                     H[i][j][a][b] = H[j][i][b][a];
 }
 
+double tie_measure(const struct tie *tie, const struct constraint *c, const double *u,
+                   double G[TIE_VECTORS][3], double (*H)[TIE_VECTORS][3][3])
+{
+    struct state s;
+    read_state(tie, u, &s);
+    gradient(c, &s, G);
+    if (H)
+        hessian(c, &s, H);
+    return value(c, tie, &s);
+}
+
 /* ---- assembly -------------------------------------------------------------------------------- */
 
 /* Adds to scalar (a, b) of the block of entries i and j, where the layout of K has it. */
@@ -354,19 +464,31 @@ static void add_at(const struct hobe_model *model, const struct tie *tie, int i,
             amount;
 }
 
-/* The tangent gets H between two terms. */
-static void add_curvature(const struct hobe_model *model, const struct tie *tie,
-                          const struct state *s, const struct matrix *K)
+void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECTORS][3], double *f)
 {
-    double H[TIE_VECTORS][TIE_VECTORS][3][3];
-    const struct constraint sum = combine(tie, s->lambda);
-    hessian(&sum, s, H);
+    for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
+        add(factor * t->weight, G[t->what], f + 3 * tie->vector[t->entry]);
+}
+
+void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
+                     double H[TIE_VECTORS][TIE_VECTORS][3][3], const struct matrix *K)
+{
     for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
         for (const struct tie_term *v = tie->term; v < tie->term + tie->terms; v++)
             for (int a = 0; a < 3; a++)
                 for (int b = 0; b < 3; b++)
                     add_at(model, tie, t->entry, a, v->entry, b,
                            t->weight * v->weight * H[t->what][v->what][a][b], K);
+}
+
+/* The curvature of the constraints c, times their multipliers. */
+static void add_curvature(const struct hobe_model *model, const struct tie *tie,
+                          const struct constraint *c, const struct state *s, const struct matrix *K)
+{
+    double H[TIE_VECTORS][TIE_VECTORS][3][3];
+    const struct constraint sum = combine(tie, c, s->lambda);
+    hessian(&sum, s, H);
+    tie_add_tangent(model, tie, H, K);
 }
 
 /* And the constraints' derivatives J beside their multipliers, with 1 on spare ones. */
@@ -388,24 +510,25 @@ static void add_border(const struct hobe_model *model, const struct tie *tie,
 }
 
 static void add_tie(const struct hobe_model *model, const struct tie *tie, const double *u,
-                    double *f, const struct matrix *K)
+                    const struct instant *instant, double *f, const struct matrix *K)
 {
     struct state s;
+    struct constraint c[ORDERS][TIE_CONSTRAINTS];
     double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
+    constraints_now(model, tie, instant, c);
     read_state(tie, u, &s);
-    tie_jacobian(tie, u, J);
     for (int k = 0; k < 3 * tie->blocks; k++) {
         const long multiplier = 3 * tie->multiplier + k;
         if (k >= tie->constraints) {
             f[multiplier] += u[multiplier];
             continue;
         }
-        f[multiplier] += value(tie->constraint + k, tie, &s);
-        for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
-            add(t->weight * s.lambda[k], J[k][t->what], f + 3 * tie->vector[t->entry]);
+        gradient(c[0] + k, &s, J[k]);
+        f[multiplier] += value(c[0] + k, tie, &s);
+        tie_add_force(tie, s.lambda[k], (const double(*)[3])J[k], f);
     }
     if (K) {
-        add_curvature(model, tie, &s, K);
+        add_curvature(model, tie, c[0], &s, K);
         add_border(model, tie, J, K);
     }
 }
@@ -413,7 +536,99 @@ static void add_tie(const struct hobe_model *model, const struct tie *tie, const
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K)
 {
-    (void)instant;
     for (size_t i = 0; i < model->ties.count; i++)
-        add_tie(model, model_tie(model, i), u, f, K);
+        add_tie(model, model_tie(model, i), u, instant, f, K);
+}
+
+/* ---- their derivatives by time --------------------------------------------------------------- */
+
+/* Directions and distance of a tie and their derivatives along u + v t. */
+struct motion {
+    double D[ORDERS][2][3][3], d[ORDERS][3];
+};
+
+static void read_motion(const struct tie *tie, const double *u, const double *v, struct motion *m)
+{
+    struct state s;
+    double moved[TIE_VECTORS][3];
+    memset(m, 0, sizeof *m);
+    read_state(tie, u, &s);
+    tie_motion(tie, v, moved);
+    memcpy(m->D[0], s.D, sizeof s.D);
+    memcpy(m->d[0], s.d, sizeof s.d);
+    for (int a = 0; a < 3; a++)
+        m->d[1][a] = moved[3][a] - moved[0][a];
+    for (int side = 0; side < 2; side++) {
+        double(*D1)[3] = m->D[1][side];
+        memcpy(D1[1], moved[3 * side + 1], sizeof(double[2][3]));
+        add_cross(D1[1], s.D[side][2], D1[0]);
+        add_cross(s.D[side][1], D1[2], D1[0]);
+        cross3(D1[1], D1[2], m->D[2][side][0]);
+        add_cross(D1[1], D1[2], m->D[2][side][0]);
+    }
+}
+
+/* The p-th derivative, p = 1 or 2, of constraint k, a sum of products, by Leibniz's rule:
+ * (f g)'' = f'' g + 2 f' g' + f g''. */
+static double derivative(int p, struct constraint c[ORDERS][TIE_CONSTRAINTS], int k,
+                         const struct motion *m)
+{
+    double sum = c[p][k].offset + dot3(c[0][k].hold, m->d[p]);
+    for (int i = 0; i <= p; i++) {
+        const double choose = i % p ? p : 1;
+        sum += choose * c[0][k].bend / 2 * dot3(m->d[i], m->d[p - i]);
+        for (int l = 0; l < 3; l++)
+            sum += choose * c[0][k].slide[l] * dot3(m->D[i][0][l], m->d[p - i]);
+        for (int j = 0; j <= p - i; j++) {
+            const int h = p - i - j; /* of a, b and the coefficients */
+            const double times = p == 1 || i == p || j == p || h == p ? 1 : 2;
+            for (int l = 0; l < 3; l++)
+                for (int n = 0; n < 3; n++)
+                    sum += times * c[h][k].turn[l][n] * dot3(m->D[i][0][l], m->D[j][1][n]);
+        }
+    }
+    return sum;
+}
+
+/* out = the p-th derivatives of all constraints, at their multipliers. */
+static void differentiate(const struct hobe_model *model, int p, const double *u, const double *v,
+                          const struct instant *instant, double *out)
+{
+    memset(out, 0, (size_t)(3 * model->vectors) * sizeof *out);
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        struct constraint c[ORDERS][TIE_CONSTRAINTS];
+        struct motion m;
+        constraints_now(model, tie, instant, c);
+        read_motion(tie, u, v, &m);
+        for (int k = 0; k < tie->constraints; k++)
+            out[3 * tie->multiplier + k] = derivative(p, c, k, &m);
+    }
+}
+
+void constraint_rate(const struct hobe_model *model, const double *u, const struct instant *instant,
+                     double *rate)
+{
+    differentiate(model, 1, u, NULL, instant, rate);
+}
+
+void constraint_acceleration(const struct hobe_model *model, const double *u, const double *v,
+                             const struct instant *instant, double *out)
+{
+    differentiate(model, 2, u, v, instant, out);
+}
+
+enum hobe_status tie_power(const struct tie *tie, const double *u, const struct instant *instant,
+                           double *power, struct hobe_error *err)
+{
+    struct constraint c[ORDERS][TIE_CONSTRAINTS];
+    struct motion m;
+    const enum hobe_status status = constraints_at(tie, instant, c, err);
+    *power = 0;
+    if (status)
+        return status;
+    read_motion(tie, u, NULL, &m);
+    for (int k = 0; k < tie->constraints; k++)
+        *power += u[3 * tie->multiplier + k] * derivative(1, c, k, &m);
+    return HOBE_OK;
 }

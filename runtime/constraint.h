@@ -13,6 +13,11 @@
  * `bend` makes the plane of `hold` a sphere.  r, y and z are sums of nodal vectors by the axial
  * functions, so that a tie may sit anywhere on a beam.
  *
+ * A drive turns a's directions, as b sees them, by theta(t) about an axis that they carry: with R
+ * the rotation in their components, `turn` becomes R turn, a function of time, and Phi
+ *
+ *     R turn : (D_a' D_b - D_a0' D_b0) + (R - 1) turn : D_a0' D_b0 + ... - way(t).
+ *
  * Each tie owns blocks of three multipliers, which the model numbers behind the beams' vectors: the
  * state u holds them like three more displacements.  Spare ones of its last block are held at zero
  * by an energy lambda^2/2 of their own. */
@@ -30,6 +35,8 @@ enum {
 
 struct constraint {
     double turn[3][3], slide[3], hold[3], bend;
+    int driven;    /* by the tie's position: it keeps way = s + bend s^2/2 instead of 0 */
+    double offset; /* what drives add to Phi, at an instant */
 };
 
 /* One of the two places: on a beam, where that is not NULL; of a body; or of the ground, whose
@@ -55,6 +62,8 @@ struct tie {
     struct tied side[2];
     int constraints;
     struct constraint constraint[TIE_CONSTRAINTS];
+    hobe_drive *angle, *position; /* theta, rad, and s, m; NULL: not driven */
+    double axis[3];               /* of theta, a unit vector on the axes of a */
     long multiplier; /* the first block's number in the model, blocks follow each other */
     int terms, vectors, blocks;
     struct tie_term *term; /* [terms] */
@@ -106,11 +115,42 @@ void tie_free(struct tie *tie);
 void tie_jacobian(const struct tie *tie, const double *u,
                   double J[TIE_CONSTRAINTS][TIE_VECTORS][3]);
 
-/* What a tie does to its place b: force, N, and moment about it, N m, global axes. */
-void tie_reaction(const struct tie *tie, const double *u, double force[3], double moment[3]);
+/* What a tie does to its place b: force, N, and moment about it, N m, global axes.  Errors of its
+ * drives. */
+enum hobe_status tie_reaction(const struct tie *tie, const double *u, const struct instant *instant,
+                              double force[3], double moment[3], struct hobe_error *err);
+
+/* *power = lambda . Phi_t, W: what the drives of a tie do. */
+enum hobe_status tie_power(const struct tie *tie, const double *u, const struct instant *instant,
+                           double *power, struct hobe_error *err);
+
+/* What a constraint measures between the places of a tie in state u, NULL: the reference; the tie
+ * need not have it.  G = its derivatives by r, y, z of both places, H the second ones unless NULL.
+ */
+double tie_measure(const struct tie *tie, const struct constraint *c, const double *u,
+                   double G[TIE_VECTORS][3], double (*H)[TIE_VECTORS][3][3]);
+
+/* moved = r, y, z of both places in a field on the vectors, NULL: zero. */
+void tie_motion(const struct tie *tie, const double *field, double moved[TIE_VECTORS][3]);
+
+/* f += factor G and K += H, given on r, y, z of both places. */
+void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECTORS][3], double *f);
+void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
+                     double H[TIE_VECTORS][TIE_VECTORS][3][3], const struct matrix *K);
 
 /* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL. */
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);
+
+/* At the multipliers, into a field rate[vectors][3] that is zero elsewhere: Phi_t, what drives ask
+ * of the velocities, Phi_q v + Phi_t = 0.  A drive that fails leaves its error in the model, and
+ * NaN (model_failure); so below. */
+void constraint_rate(const struct hobe_model *model, const double *u, const struct instant *instant,
+                     double *rate);
+
+/* The same of the second derivative of Phi along u + v t but for the accelerations a:
+ * Phi_tt + 2 Phi_qt v + (Phi_q v)_q v, so that Phi_q a + this = 0; v[vectors][3], m/s. */
+void constraint_acceleration(const struct hobe_model *model, const double *u, const double *v,
+                             const struct instant *instant, double *out);
 
 #endif

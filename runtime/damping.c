@@ -3,6 +3,7 @@
 
 #include "assemble.h"
 #include "mass.h"
+#include "spring.h"
 
 #include <math.h>
 
@@ -25,7 +26,7 @@ void damping_add(const struct hobe_model *model, const double *u, const struct i
 
 double damping_power(const struct hobe_model *model, const double *u, const double *v)
 {
-    double power = assemble_viscous_power(model, u, v);
+    double power = assemble_viscous_power(model, u, v) + spring_power(model, u, v);
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         if (beam->spec.damping.mass > 0)

@@ -11,7 +11,7 @@
 void damping_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                  double *f, const struct matrix *K);
 
-/* What these forces take, v'f >= 0, W. */
+/* What these forces take, and the dampers of springs (spring.h): v'f >= 0, W. */
 double damping_power(const struct hobe_model *model, const double *u, const double *v);
 
 /* HOBE_BAD_INPUT where a beam cannot have the damping that it asks for. */

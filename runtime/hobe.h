@@ -340,6 +340,41 @@ double hobe_curve_length(const hobe_curve *curve);
 enum hobe_status hobe_curve_at(const hobe_curve *curve, const double up[3], double at, double r[3],
                                double frame[3][3], double frame_x[3][3], struct hobe_error *err);
 
+/* ---- drives (drive.c) ----------------------------------------------------------------------- */
+
+/* A function of time t >= 0, s, with its first and second derivative: it moves joints and scales
+ * loads.  Asking one for its value may store what it has integrated so far: threads must not share
+ * it. */
+typedef struct hobe_drive hobe_drive;
+
+/* How a value goes from one point to the next: straight, or v0 + (v1 - v0)(1 - cos(pi s))/2 with s
+ * from 0 to 1, which begins and ends at rest.  Before the first point and after the last it is
+ * constant. */
+enum hobe_between { HOBE_LINEAR, HOBE_RAMP };
+
+/* A drive through n points, point[n][2] = t, value, copied, in the order of time; two points at one
+ * time make a jump.  With `integral` their integral from t = 0 on, exact: points of a velocity give
+ * a motion.  NULL and err set on points that are none. */
+hobe_drive *hobe_drive_points(int n, const double (*point)[2], enum hobe_between between,
+                              int integral, struct hobe_error *err);
+
+/* A drive of the caller's function of time, smooth, one value; `context` must outlive it.  Its
+ * derivatives are differences over steps h = 1/4096 s, whose relative errors are (w h)^4/30 and (w
+ * h)^4/90 for an angular frequency w, and 1e-12 and 2e-8 of the value per s and s^2 by rounding; in
+ * the first 2 h, where they look forward, (w h)^4/5 and (w h)^3.  With `integral` the motion is its
+ * integral by Gauss's rule of 8 points in cells of 1/128 s, exact to rounding for w < 500 rad/s. */
+hobe_drive *hobe_drive_function(hobe_function *function, void *context, int integral,
+                                struct hobe_error *err);
+void hobe_drive_free(hobe_drive *drive);
+
+/* d[3] = value, d/dt, d2/dt2 at t; from the right where they jump.  HOBE_BAD_INPUT for t < 0, a
+ * value that is not finite; the function's own status. */
+enum hobe_status hobe_drive_at(hobe_drive *drive, double t, double d[3], struct hobe_error *err);
+
+/* The first point after t, where derivatives may jump; INFINITY after the last, and of functions.
+ */
+double hobe_drive_next(const hobe_drive *drive, double t);
+
 /* ---- model (model.c) ------------------------------------------------------------------------ */
 
 typedef struct hobe_model hobe_model;
@@ -409,11 +444,30 @@ struct hobe_clamp {
     int free_warping; /* 0: every vector of the node is held.  1: r and the slopes y, z are, so that
                          the section stays in place but may warp, and stretch along the axis */
 };
+
+/* F[3], N, global axes: the caller's force on a place of a beam at the time t, s, in the position
+ * x[3], m, with the velocity v[3], m/s, which is 0 in statics.  Smooth; or it returns a status with
+ * err (which may be NULL) set, which ends the solve. */
+typedef enum hobe_status hobe_force_function(void *context, double t, const double x[3],
+                                             const double v[3], double F[3],
+                                             struct hobe_error *err);
+
+/* Its derivatives G[0][a][c] = dF_a/dx_c, N/m, and G[1][a][c] = dF_a/dv_c, N s/m.  Without them
+ * they are central differences over steps of 6e-6 of the beam's length, and of the velocity and a
+ * length per s. */
+typedef enum hobe_status hobe_force_derivative(void *context, double t, const double x[3],
+                                               const double v[3], double G[2][3][3],
+                                               struct hobe_error *err);
+
 struct hobe_force {
     const char *where, *beam;
     double at;
-    double value[3]; /* N, global axes */
-    int follower;    /* 1: the force turns with the section or body from that initial direction */
+    double value[3];     /* N, global axes */
+    int follower;        /* 1: the force turns with the section or body from that direction */
+    hobe_drive *history; /* factor of time; NULL: 1.  It outlives the model, as all drives do */
+    hobe_force_function *function;     /* in place of value, which is {0,0,0}, and not follower */
+    hobe_force_derivative *derivative; /* of it; NULL: by differences */
+    void *context;                     /* of both */
     int at_point;
     double point[3]; /* of a body; its centre where at_point is 0 */
 };
@@ -426,6 +480,7 @@ struct hobe_moment {
     double at;                /* of a beam */
     int at_point;             /* 1: it acts on a body, wherever */
     double value[3];          /* N m about the global axes */
+    hobe_drive *history;      /* as of forces */
 };
 struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle */
     const char *where, *beam[2];
@@ -454,7 +509,13 @@ struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle
  * Directions that belong to a beam are carried by the section's slopes y, z and by its normal
  * n = y x z with the components they have in the reference: d_x n + d_y y + d_z z.  Warping and
  * every other mode of the section stay free.  A body carries its directions that are global axes in
- * the reference. */
+ * the reference.
+ *
+ * A drive moves the second part: `angle`, rad, turns it about the axis, `position`, m, shifts it
+ * along the axis, d . axis = position, or lengthens a distance.  What the kind leaves free of the
+ * driven motion is free no more; what it stops is stopped where the drive has it.  An angle needs a
+ * kind that stops the axis from tilting: fixed, revolute, cylindrical, prismatic or planar; any
+ * kind takes a position.  Driven joints need an axis, but for a distance. */
 enum hobe_joint_kind {
     HOBE_JOINT_FIXED,
     HOBE_JOINT_SPHERICAL,
@@ -478,16 +539,58 @@ struct hobe_joint {
     const char *name;    /* by which hobe_solution_reaction knows it, or NULL */
     double at[2];        /* of beams */
     enum hobe_joint_kind kind;
-    double axis[3];   /* global, in the reference; {0,0,0} for fixed, rigid, spherical, distance */
+    double axis[3];   /* global, in the reference; {0,0,0} for distance, and for fixed, rigid and
+                         spherical that are not driven */
     double second[3]; /* of universal joints, at a right angle to the axis; else {0,0,0} */
     double to[3];     /* of a support that keeps a distance: the point of the ground, m; of two
-                         bodies: the point of the second */
-    int at_point;     /* 1: `point` is given; 2: of two bodies at a distance `to`, too */
+                         bodies, where at_point is 2: the point of the second */
+    int at_point;     /* 1: `point` is given; 2: `to` of two bodies, too */
     double point[3];  /* of bodies, m, global axes in the reference */
+    hobe_drive *angle, *position; /* NULL, or how the joint is driven; they outlive the model */
+};
+
+/* Velocities with which hobe_dynamic starts: a rigid motion of what is as the start has it.  Of
+ * several that speak of a beam or body the last counts. */
+struct hobe_motion {
+    const char *where;
+    const char *beam;           /* or a body; NULL: everything */
+    double velocity[3];         /* m/s, of the point `about` */
+    double angular_velocity[3]; /* rad/s */
+    double about[3];            /* m */
 };
 
 /* "revolute" etc.; NULL for no kind. */
 const char *hobe_joint_name(enum hobe_joint_kind kind);
+
+/* What a spring acts on: the distance of its places; the angle by which its second part has turned
+ * against the first about an axis, from -pi to pi: whole turns are not counted; the displacement of
+ * the second place against the first, along the global axes in the reference, which move with the
+ * first part: an elastic support, or a joint that gives. */
+enum hobe_spring_kind { HOBE_SPRING_LENGTH, HOBE_SPRING_TORSION, HOBE_SPRING_BUSHING };
+
+/* A spring and damper without mass between places anywhere on two beams or bodies, or between the
+ * ground and one: the force k (l - l0) + c dl/dt along the line of its places, the moment k (a -
+ * a0) + c da/dt about its axis, or three forces, on both places in opposite directions.  A spring
+ * of kind length has no direction where its places coincide, nor a bushing between two beams where
+ * they do not. Directions belong to a beam as those of joints do (above).  Springs hold a scene as
+ * supports do, along their extensions; statics do not scale them by the load factor.  */
+struct hobe_spring {
+    const char *where;
+    const char *beam[2]; /* beam[1] NULL: between the ground and beam[0] */
+    const char *name;    /* by which hobe_solution_spring knows it, or NULL */
+    double at[2];
+    enum hobe_spring_kind kind;
+    double
+        stiffness[3];  /* k >= 0, N/m; N m/rad; of a bushing along x, y, z, else the first alone */
+    double damping[3]; /* c >= 0, N s/m; N m s/rad; likewise; at rest there is none */
+    double length;     /* l0 > 0 of a length, m; 0: the distance in the reference */
+    double angle;      /* a0 of torsion, rad, from the reference */
+    double axis[3];    /* of torsion: global, in the reference; it moves with the first part */
+    double to[3];      /* of a length to the ground: its place there, m; of two bodies, where
+                          at_point is 2: the place on the second */
+    int at_point;      /* as of a joint */
+    double point[3];   /* of bodies, m */
+};
 
 hobe_model *hobe_model_new(struct hobe_error *err);
 void hobe_model_free(hobe_model *model);
@@ -501,10 +604,29 @@ enum hobe_status hobe_model_clamp(hobe_model *, const struct hobe_clamp *, struc
 enum hobe_status hobe_model_force(hobe_model *, const struct hobe_force *, struct hobe_error *);
 enum hobe_status hobe_model_moment(hobe_model *, const struct hobe_moment *, struct hobe_error *);
 enum hobe_status hobe_model_join(hobe_model *, const struct hobe_join *, struct hobe_error *);
+enum hobe_status hobe_model_motion(hobe_model *, const struct hobe_motion *, struct hobe_error *);
 enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struct hobe_error *);
+enum hobe_status hobe_model_spring(hobe_model *, const struct hobe_spring *, struct hobe_error *);
 /* Gravity, m/s^2 in global axes, on every beam, body and mass; repeated calls add up. */
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
                                     struct hobe_error *);
+/* The same times a factor of time; NULL: 1. */
+enum hobe_status hobe_model_gravity_history(hobe_model *, const char *where, const double g[3],
+                                            hobe_drive *history, struct hobe_error *);
+
+/* The scene as seen in a frame that turns steadily about a line: all supports turn with it, and
+ * loads keep their direction in it.  In equilibrium there F(q) = Q + w^2 M P q, the centrifugal
+ * force on the distance from the axis, P = I - e e': the load factor of statics scales w^2.  About
+ * it vibrations feel Coriolis' force, too (hobe_modal). */
+struct hobe_spin {
+    const char *where;
+    double axis[3];  /* e, of any length, global axes */
+    double about[3]; /* a point of the line, m */
+    double speed;    /* w, rad/s, positive by the right-hand rule about the axis */
+};
+/* At most one; HOBE_BAD_INPUT for a second one and an axis of no length.  Beams need densities, as
+ * hobe_model_build says. */
+enum hobe_status hobe_model_spin(hobe_model *, const struct hobe_spin *, struct hobe_error *);
 
 /* Checks the model and does everything that is done once: invariants, numbering, sparsity and
  * scatter maps, symbolic factorisation.  hobe_static calls it when it has not been called. */
@@ -540,6 +662,8 @@ struct hobe_newton {
     double tolerance;     /* on `residual`; 0: 1e-9 */
     double smallest_step; /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
+    double time; /* s, at which drives and histories are taken, >= 0; the motion of drives is scaled
+                    by the load factor, too */
     void (*log)(void *context, const struct hobe_iteration *iteration); /* may be NULL */
     void *context;
 };
@@ -549,6 +673,7 @@ typedef struct hobe_solution hobe_solution;
 struct hobe_solution_info {
     int steps, iterations, cutbacks, factorisations;
     double load;     /* load factor reached: 1 of hobe_static */
+    double time;     /* s, of drives, histories and hobe_dynamic */
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                         stable; -1: not counted, as by hobe_static */
     double residual; /* of the last iteration */
@@ -559,7 +684,7 @@ struct hobe_solution_info {
     double energy;   /* strain energy, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
-    double seconds;      /* in hobe_static without set-up */
+    double seconds;      /* in the verb so far, without set-up */
 };
 
 /* Static equilibrium under all loads of the model from its reference.  On success *solution is
@@ -632,6 +757,92 @@ hobe_solution *hobe_path_take(hobe_path *path, int i);
 /* The i-th event, 0 <= i < events, and its sentence; points are counted from 1 in it. */
 const struct hobe_path_event *hobe_path_event(const hobe_path *path, int i);
 void hobe_path_event_text(const struct hobe_path_event *event, char *text, size_t size);
+
+/* ---- motion in time (dynamic.c, history.c) --------------------------------------------------- */
+
+struct hobe_time_step { /* what a log line shows: a step that was taken, or given up */
+    long step;          /* taken so far */
+    double time;        /* reached, s */
+    double size;        /* of the step, s */
+    int iterations;     /* of Newton's method in it */
+    double error;       /* of its displacements, relative to the scene's size; NaN: not estimated */
+    const char *note;   /* "" or why it was given up */
+};
+
+/* Either a fixed step, or the accuracy that chooses the steps; `step` is then the longest. */
+struct hobe_dynamic {
+    double to;          /* the time that ends the motion, s, > that of the start */
+    double step;        /* s; 0: left to the accuracy */
+    double accuracy;    /* of the displacements in a step, relative to the scene's size; 0: the step
+                           is fixed */
+    double rho;         /* spectral radius at infinity, 0 < rho <= 1: what is left in a step of what
+                           is too fast for the steps; 0: 0.8 */
+    double store;       /* time between the states that are kept, which steps end at, s; 0: every
+                           step is kept */
+    double tolerance;   /* of forces left over, relative to those of inertia, loads and joints; 0:
+                           1e-9 */
+    int max_iterations; /* in a step; 0: 10 */
+    double smallest_step; /* below which a motion that needs accuracy is given up, s; 0: 1e-9 of
+                             the time to go */
+    int equilibrium;      /* 1: it starts from the static equilibrium under the loads of t = 0; 0:
+                             from the reference; with the velocities of hobe_motion */
+    const hobe_solution *start; /* or from this state of the model: an equilibrium, at t = 0, or one
+                                   of an earlier motion, at its time with its velocities */
+    void (*log)(void *context, const struct hobe_time_step *step); /* may be NULL */
+    void *context;
+};
+
+typedef struct hobe_history hobe_history;
+
+struct hobe_history_info {
+    int states;                       /* kept, the first among them */
+    long steps, rejected, iterations; /* taken; given up; of Newton's method in all */
+    long factorisations;
+    double time;                        /* reached, s */
+    double smallest_step, largest_step; /* taken, s */
+    double seconds;                     /* in hobe_dynamic without set-up */
+};
+
+/* The motion of a model under its loads, all of them on: M w + F(q) + Phi_q' lambda = Q(q, v, t),
+ * Phi(q, t) = 0, by generalised alpha (genalpha.h).  It may be free to move.  Velocities of the
+ * start that break constraints by more than 1e-6 are refused, smaller faults are mended.
+ * HOBE_BAD_INPUT also where a beam has no density; HOBE_NOT_CONVERGED says at what time, and why, a
+ * step failed: a fixed one, or the smallest.  On success *history is owned by the caller and refers
+ * to the model, which must outlive it. */
+enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *options,
+                              hobe_history **history, struct hobe_error *err);
+void hobe_history_free(hobe_history *history);
+void hobe_history_info(const hobe_history *history, struct hobe_history_info *info);
+
+/* The i-th kept state, owned by the history; its info.time is its time.  NULL past the last. */
+const hobe_solution *hobe_history_state(const hobe_history *history, int i);
+
+/* The same, to be owned by the caller from now on; the history has it no more. */
+hobe_solution *hobe_history_take(hobe_history *history, int i);
+
+/* What a motion keeps and loses. */
+struct hobe_energies {
+    double time;        /* s */
+    double kinetic;     /* v'M v/2, J */
+    double strain;      /* J */
+    double loads;       /* work of all loads since the start, J */
+    double damped;      /* what damping has taken since the start, J */
+    double balance;     /* kinetic + strain, less their values at the start, less the work of
+                           loads, and damped: what the integration has lost (< 0), J */
+    double momentum[3]; /* kg m/s */
+    double angular_momentum[3]; /* about the origin, kg m^2/s */
+    double violation;           /* the largest |Phi|, relative to the scene's size, or rad */
+    double violation_rate;      /* the largest |Phi_q v + Phi_t|, likewise, 1/s */
+};
+
+/* Of the i-th kept state; NULL past the last. */
+const struct hobe_energies *hobe_history_energies(const hobe_history *history, int i);
+
+/* Velocity, m/s, and acceleration, m/s^2, at the place (at, y, z) of a beam, as in
+ * hobe_solution_point; 0 of equilibria. */
+enum hobe_status hobe_solution_velocity(const hobe_solution *solution, const char *beam, double at,
+                                        double y, double z, double velocity[3],
+                                        double acceleration[3], struct hobe_error *err);
 
 /* ---- results (result.c, stress.c, resultants.c) --------------------------------------------- */
 
@@ -754,9 +965,22 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
  * several beams each give the whole. */
 struct hobe_reaction {
     double force[3], moment[3]; /* N, N m */
+    double power;               /* W, of its drives */
 };
 enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const char *name,
                                         struct hobe_reaction *reaction, struct hobe_error *err);
+
+/* What a spring does, its damper aside. */
+struct hobe_spring_state {
+    enum hobe_spring_kind kind;
+    double extension[3]; /* the length, m; the angle, rad; or three displacements, m */
+    double force[3]; /* that pulls both places together, N; the moment that turns the second part
+                        back, N m; or three forces that push the second place back, N */
+};
+
+/* Of the spring called name; HOBE_UNKNOWN where there is none. */
+enum hobe_status hobe_solution_spring(const hobe_solution *solution, const char *name,
+                                      struct hobe_spring_state *state, struct hobe_error *err);
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);

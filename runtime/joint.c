@@ -4,10 +4,12 @@
 #include "joint.h"
 
 #include "body.h"
-#include "constraint.h"
+#include "drive.h"
 #include "rank.h"
+#include "spring.h"
 #include "vector3.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -50,20 +52,40 @@ static enum hobe_status check_axes(const struct hobe_joint *joint, struct hobe_e
     const struct kind *kind = kinds + joint->kind;
     const double *axis = joint->axis, *second = joint->second;
     const double size[2] = {length3(axis), length3(second)};
-    const int needed[2] = {kind->shift > APART || kind->turn > APART, kind->turn == CROSSED};
+    const int driven = joint->angle || (joint->position && kind->shift != APART);
+    const int needed[2] = {kind->shift > APART || kind->turn > APART || driven,
+                           kind->turn == CROSSED};
     static const char *const key[2] = {"axis", "second"};
     for (int i = 0; i < 2; i++)
         if (!isfinite(size[i]) || needed[i] != (size[i] > 0))
             return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
-                             needed[i] ? "a joint of kind %s needs %s, a direction {x, y, z} other "
-                                         "than {0, 0, 0}"
-                                       : "a joint of kind %s has no %s; leave it out",
-                             kind->name, key[i]);
+                             needed[i] ? "a %sjoint of kind %s needs %s, a direction {x, y, z} "
+                                         "other than {0, 0, 0}"
+                                       : "a %sjoint of kind %s has no %s; leave it out",
+                             driven ? "driven " : "", kind->name, key[i]);
     if (needed[1] && fabs(dot3(axis, second)) > 1e-9 * size[0] * size[1])
         return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
                          "the axes {%g, %g, %g} and {%g, %g, %g} of a universal joint must be at a "
                          "right angle",
                          axis[0], axis[1], axis[2], second[0], second[1], second[2]);
+    return HOBE_OK;
+}
+
+static enum hobe_status check_drives(const struct hobe_joint *joint, struct hobe_error *err)
+{
+    const hobe_drive *const drive[2] = {joint->angle, joint->position};
+    static const char *const key[2] = {"angle", "position"};
+    const enum stopped turn = kinds[joint->kind].turn;
+    if (joint->angle && turn != ALL && turn != ACROSS)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "a joint of kind %s lets its axis tilt, so that no angle about it can be "
+                         "driven; revolute and cylindrical ones keep it",
+                         kinds[joint->kind].name);
+    for (int i = 0; i < 2; i++)
+        if (drive[i] && !isnan(drive_jump(drive[i])))
+            return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                             "the %s of a joint cannot jump, at t = %g s; only a velocity may",
+                             key[i], drive_jump(drive[i]));
     return HOBE_OK;
 }
 
@@ -77,13 +99,13 @@ enum hobe_status joint_check(const struct hobe_joint *joint, struct hobe_error *
     if (!hobe_joint_name(joint->kind))
         return hobe_fail(err, HOBE_BAD_INPUT, joint->where, "there is no kind of joint %d",
                          (int)joint->kind);
-    return check_axes(joint, err);
+    const enum hobe_status status = check_drives(joint, err);
+    return status ? status : check_axes(joint, err);
 }
 
 /* ---- ties ------------------------------------------------------------------------------------ */
 
-/* c[3] = the direction t as one of a section, on its n, y, z. */
-static void on_section(const struct tied *side, const double t[3], double c[3])
+void joint_direction(const struct tied *side, const double t[3], double c[3])
 {
     for (int i = 0; i < 3; i++)
         c[i] = dot3(side->frame[i], t);
@@ -94,64 +116,56 @@ static void keep_normal(struct tie *tie, const double t[3], const double s[3])
 {
     double a[3], b[3];
     struct constraint *c = tie_constraint(tie);
-    on_section(tie->side, t, a);
-    on_section(tie->side + 1, s, b);
+    joint_direction(tie->side, t, a);
+    joint_direction(tie->side + 1, s, b);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             c->turn[i][j] = a[i] * b[j];
 }
 
+/* All turning about a driven axis, too, which the drive turns. */
 static void stop_turning(struct tie *tie, enum stopped turn, const double t[3][3],
                          const double second[3])
 {
-    if (turn == ALL)
+    if (turn == ALL || tie->angle)
         tie_turning(tie);
     if (turn == STIFF)
         tie_slopes(tie);
-    for (int i = 1; turn == ACROSS && i < 3; i++)
+    for (int i = 1; turn == ACROSS && !tie->angle && i < 3; i++)
         keep_normal(tie, t[i], t[0]);
     if (turn == CROSSED)
         keep_normal(tie, t[0], second);
 }
 
-/* (|g + d|^2 - |g|^2)/(2 |g|) = 0, g the gap in the reference. */
+/* (|g + d|^2 - |g|^2)/(2 |g|) = 0, g the gap in the reference; s + s^2/(2 |g|) if driven. */
 static void keep_distance(struct tie *tie, const double gap[3])
 {
     struct constraint *c = tie_constraint(tie);
     c->bend = 1 / length3(gap);
+    c->driven = tie->position != NULL;
     for (int a = 0; a < 3; a++)
         c->hold[a] = gap[a] * c->bend;
 }
 
+/* A driven shift is stopped along the axis, too, where the drive has it. */
 static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3][3],
                           const double gap[3])
 {
-    if (shift == APART)
+    const int driven = tie->position != NULL;
+    const int stops[3] = {shift == ALONG || driven, shift != ALONG, shift != ALONG};
+    if (shift == APART) {
         keep_distance(tie, gap);
-    for (int i = 0; i < 3 && shift == ALL; i++)
-        tie_constraint(tie)->hold[i] = 1;
-    for (int i = 0; i < 3; i++)
-        if (shift == (i == 0 ? ALONG : ACROSS))
-            on_section(tie->side, t[i], tie_constraint(tie)->slide);
-}
-
-/* Whether places are as far apart as they must be, on parts of that length. */
-static enum hobe_status check_gap(const struct hobe_joint *joint, double gap, double length,
-                                  struct hobe_error *err)
-{
-    const int apart = gap > COINCIDENT * length;
-    if (kinds[joint->kind].shift == APART)
-        return apart ? HOBE_OK
-                     : hobe_fail(err, HOBE_BAD_INPUT, joint->where,
-                                 "a joint of kind distance needs places that are apart; those of "
-                                 "\"%s\" and %s coincide",
-                                 joint->beam[0], joint->beam[1] ? joint->beam[1] : "the ground");
-    if (joint->beam[1] && apart)
-        return hobe_fail(
-            err, HOBE_BAD_INPUT, joint->where,
-            "the joined places of \"%s\" and \"%s\" are %g m apart; they must coincide",
-            joint->beam[0], joint->beam[1], gap);
-    return HOBE_OK;
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        struct constraint *c = stops[i] || shift == ALL ? tie_constraint(tie) : NULL;
+        if (c && shift == ALL && !driven)
+            c->hold[i] = 1;
+        else if (c) {
+            joint_direction(tie->side, t[i], c->slide);
+            c->driven = driven && i == 0;
+        }
+    }
 }
 
 /* Finds a place on a body: the point that is given, or where the other part is. */
@@ -160,20 +174,18 @@ static enum hobe_status find_on_body(const struct hobe_joint *joint, int i,
                                      struct hobe_error *err)
 {
     static const int yz[2] = {1, 2};
-    const int apart = kinds[joint->kind].shift == APART;
-    const int needed = i == 1 && part[0].body && apart ? 2 : 1;
-    const double *point = needed == 2 ? joint->to : joint->point;
-    if (joint->at_point < needed && !part[1 - i].beam)
+    const double *point = i == 1 && joint->at_point == 2 ? joint->to : joint->point;
+    if (!joint->at_point && !part[1 - i].beam)
         return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
-                         "the place on body \"%s\" is missing: %s, {x, y, z} in the reference",
-                         part[i].body->spec.name, needed == 2 ? "to" : "point");
-    if (joint->at_point < needed)
+                         "the place on body \"%s\" is missing: point, {x, y, z} in the reference",
+                         part[i].body->spec.name);
+    if (!joint->at_point)
         point = side[1 - i].position;
     tied_on_body(part[i].body, point, yz, side + i);
     return HOBE_OK;
 }
 
-/* Finds both parts, the ground without any; at most one on a beam where the joint is rigid. */
+/* Finds both parts, the ground without any. */
 static enum hobe_status find_parts(const hobe_model *model, const struct hobe_joint *joint,
                                    struct part part[2], struct hobe_error *err)
 {
@@ -187,38 +199,60 @@ static enum hobe_status find_parts(const hobe_model *model, const struct hobe_jo
                          "body \"%s\" cannot be joined to itself", part[0].body->spec.name);
     if (joint->at_point && !part[0].body && !part[1].body)
         return model_refuse_point(joint->beam[0], joint->where, err);
-    if (kinds[joint->kind].turn == STIFF && part[0].beam && part[1].beam)
-        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
-                         "a joint of kind rigid needs a body or the ground beside a beam, but "
-                         "\"%s\" and \"%s\" are beams; take fixed",
-                         joint->beam[0], joint->beam[1]);
     return HOBE_OK;
+}
+
+enum hobe_status joint_places(const hobe_model *model, const struct hobe_joint *joint,
+                              struct tied side[2], double gap[3], int *apart,
+                              struct hobe_error *err)
+{
+    const int ground = !joint->beam[1];
+    struct part part[2];
+    double length = 0;
+    enum hobe_status status = find_parts(model, joint, part, err);
+    side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
+    memcpy(side[0].position, joint->to, sizeof side[0].position);
+    for (int i = ground; !status && i < 2; i++)
+        if (part[i].beam) {
+            tied_at(model_place(part[i].beam, joint->at[i - ground]), side + i);
+            length = fmax(length, part[i].beam->length);
+        }
+    for (int i = ground; !status && i < 2; i++)
+        if (part[i].body)
+            status = find_on_body(joint, i, part, side, err);
+    for (int a = 0; !status && a < 3; a++)
+        gap[a] = side[1].position[a] - side[0].position[a];
+    *apart = !status && length3(gap) > COINCIDENT * length;
+    return status;
 }
 
 /* Finds both places and the gap from the first to the second. */
 static enum hobe_status find_places(const hobe_model *model, const struct hobe_joint *joint,
                                     struct tied side[2], double gap[3], struct hobe_error *err)
 {
-    const int ground = !joint->beam[1];
-    double length = 0;
-    struct part part[2];
-    enum hobe_status status = find_parts(model, joint, part, err);
-    side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
-    memcpy(side[0].position, joint->to, sizeof side[0].position);
-    for (int i = ground; !status && i < 2; i++)
-        if (part[i].beam)
-            tied_at(model_place(part[i].beam, joint->at[i - ground]), side + i);
-    for (int i = ground; !status && i < 2; i++)
-        if (part[i].body)
-            status = find_on_body(joint, i, part, side, err);
+    const int two = joint->beam[1] != NULL;
+    int apart;
+    const enum hobe_status status = joint_places(model, joint, side, gap, &apart, err);
     if (status)
         return status;
-    for (int i = 0; i < 2; i++)
-        length = part[i].beam ? fmax(length, part[i].beam->length) : length;
-    for (int a = 0; a < 3; a++)
-        gap[a] = side[1].position[a] - side[0].position[a];
-    return check_gap(joint, length3(gap), length, err);
+    if (kinds[joint->kind].turn == STIFF && side[0].place.beam && side[1].place.beam)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "a joint of kind rigid needs a body or the ground beside a beam, but "
+                         "\"%s\" and \"%s\" are beams; take fixed",
+                         joint->beam[0], joint->beam[1]);
+    if (kinds[joint->kind].shift == APART)
+        return apart ? HOBE_OK
+                     : hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                                 "a joint of kind distance needs places that are apart; those of "
+                                 "\"%s\" and %s coincide",
+                                 joint->beam[0], two ? joint->beam[1] : "the ground");
+    if (two && apart)
+        return hobe_fail(
+            err, HOBE_BAD_INPUT, joint->where,
+            "the joined places of \"%s\" and \"%s\" are %g m apart; they must coincide",
+            joint->beam[0], joint->beam[1], length3(gap));
+    return HOBE_OK;
 }
 
 static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *joint,
@@ -234,8 +268,11 @@ static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *jo
         return HOBE_NO_MEMORY;
     tie->where = joint->where;
     tie->name = joint->name;
+    tie->angle = joint->angle;
+    tie->position = joint->position;
     if (length3(joint->axis) > 0)
         triad3(joint->axis, t);
+    joint_direction(tie->side, t[0], tie->axis);
     if (length3(joint->second) > 0)
         triad3(joint->second, second);
     stop_turning(tie, kinds[joint->kind].turn, (const double(*)[3])t, second[0]);
@@ -292,15 +329,15 @@ static double extent(const hobe_model *model, size_t part, const double **point)
     return body_radius(body);
 }
 
-static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie, const size_t *root,
+/* The rows J of a tie or spring. */
+static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie, int rows,
+                                 double J[TIE_CONSTRAINTS][TIE_VECTORS][3], const size_t *root,
                                  const unsigned char *held, struct rank *rank,
                                  struct hobe_error *err)
 {
-    double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
     enum hobe_status status = HOBE_OK;
     int independent;
-    tie_jacobian(tie, NULL, J);
-    for (int k = 0; !status && k < tie->constraints; k++) {
+    for (int k = 0; !status && k < rows; k++) {
         for (int s = 0; s < 2; s++) {
             const long part = part_of(model, tie->side + s);
             if (part < 0 || held[root[part]])
@@ -352,11 +389,19 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
                                   const unsigned char *held, struct hobe_error *err)
 {
     struct rank rank;
+    double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
     const size_t parts = model->beams.count + model->bodies.count;
     enum hobe_status status = rank_open(&rank, 6 * (long)parts, err);
-    for (size_t i = 0; !status && i < model->ties.count; i++)
-        if (!model_tie(model, i)->corner && !model_tie(model, i)->rigidity)
-            status = add_rows(model, model_tie(model, i), root, held, &rank, err);
+    for (size_t i = 0; !status && i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        tie_jacobian(tie, NULL, J);
+        if (!tie->corner && !tie->rigidity)
+            status = add_rows(model, tie, tie->constraints, J, root, held, &rank, err);
+    }
+    for (size_t i = 0; !status && i < model->springs.count; i++) {
+        const int rows = spring_jacobian(model_spring(model, i), J);
+        status = add_rows(model, &model_spring(model, i)->tie, rows, J, root, held, &rank, err);
+    }
     for (size_t i = 0; !status && i < parts; i++)
         for (int m = 0; !status && root[i] == i && !held[i] && m < 6; m++)
             if (!rank.row_of[6 * i + (size_t)m])

@@ -2,10 +2,15 @@
 #include "load.h"
 
 #include "body.h"
+#include "constraint.h"
+#include "drive.h"
 #include "element.h"
 #include "point_mass.h"
+#include "spin.h"
 #include "vector3.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
@@ -149,8 +154,11 @@ static void angle_force(const double e[3], const double s[3], double m, double F
  * rotation about its own axis only.  The centreline's slope takes no part: a couple on it would be
  * carried by shear within one element, and soften without limit as the mesh is refined. */
 static void subtract_moment(const struct hobe_model *model, const struct hobe_moment *moment,
-                            const double *u, double factor, double *r, const struct matrix *K)
+                            const double *u, const struct instant *instant, double factor,
+                            double *r, const struct matrix *K)
 {
+    const double scaled =
+        factor * drive_factor(model, moment->history, instant->time, moment->where);
     struct station s;
     find_station(model, moment->beam, moment->at, NULL, u, &s);
     const double(*frame)[3] = (const double(*)[3])s.frame;
@@ -161,9 +169,9 @@ static void subtract_moment(const struct hobe_model *model, const struct hobe_mo
         double F[3] = {0}, H[3][3] = {{0}};
         angle_force(frame[0], s.slope[slope], m[0] / 2, F, H);
         angle_force(frame[2 - slope], s.slope[slope], m[2 - slope], F, H);
-        add_force(model, &s, 1 + slope, (const double *)F, -factor, r);
+        add_force(model, &s, 1 + slope, (const double *)F, -scaled, r);
         if (K)
-            add_stiffness(model, &s, 1 + slope, 1 + slope, (const double(*)[3])H, -factor, K);
+            add_stiffness(model, &s, 1 + slope, 1 + slope, (const double(*)[3])H, -scaled, K);
     }
 }
 
@@ -235,12 +243,131 @@ static void subtract_follower(const struct hobe_model *model, const struct hobe_
     }
 }
 
+/* ---- forces of the caller -------------------------------------------------------------------- */
+
+/* What such a force is asked at. */
+struct contact {
+    double t, x[3], v[3]; /* s, m, m/s */
+};
+
+static void find_contact(const struct hobe_model *model, const struct station *s, const double *u,
+                         const struct instant *instant, struct contact *at)
+{
+    struct tied reference;
+    *at = (struct contact){.t = instant->time};
+    if (s->body)
+        for (int a = 0; a < 3; a++)
+            at->x[a] = s->body->spec.centre[a] + s->weight[0][1 + a];
+    else {
+        tied_at(s->place, &reference);
+        memcpy(at->x, reference.position, sizeof at->x);
+    }
+    for (int v = 0; v < s->vectors; v++) {
+        const long i = 3 * station_vector(model, s, v);
+        for (int a = 0; a < 3; a++) {
+            at->x[a] += s->weight[0][v] * u[i + a];
+            at->v[a] += instant->v ? s->weight[0][v] * instant->v[i + a] : 0;
+        }
+    }
+}
+
+static enum hobe_status call(const struct hobe_force *force, const struct contact *at, double F[3],
+                             struct hobe_error *err)
+{
+    const enum hobe_status status = force->function(force->context, at->t, at->x, at->v, F, err);
+    if (!status && !isfinite(F[0] + F[1] + F[2]))
+        return hobe_fail(err, HOBE_BAD_INPUT, force->where,
+                         "the force on \"%s\" is {%g, %g, %g} at t = %g s; it must be finite",
+                         force->beam, F[0], F[1], F[2], at->t);
+    return status;
+}
+
+/* G by central differences; the error of the step eps^(1/3) is eps^(2/3), and what it scales with
+ * is the length of the beam or the size of the body. */
+static enum hobe_status differentiate(const struct hobe_force *force, const struct contact *at,
+                                      double length, double G[2][3][3], struct hobe_error *err)
+{
+    const double step[2] = {cbrt(DBL_EPSILON) * length,
+                            cbrt(DBL_EPSILON) * (length3(at->v) + length)};
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; i < 6; i++) {
+        struct contact side[2] = {*at, *at};
+        double F[2][3] = {{0}};
+        for (int k = 0; !status && k < 2; k++) {
+            double *moved = (i < 3 ? side[k].x : side[k].v) + i % 3;
+            *moved += k ? step[i / 3] : -step[i / 3];
+            status = call(force, side + k, F[k], err);
+        }
+        for (int a = 0; a < 3; a++)
+            G[i / 3][a][i % 3] = (F[1][a] - F[0][a]) / (2 * step[i / 3]);
+    }
+    return status;
+}
+
+/* F and, where there is K, its derivatives; NaN where the caller's functions fail. */
+static void subtract_called(const struct hobe_model *model, const struct hobe_force *force,
+                            const double *u, const struct instant *instant, double factor,
+                            double *r, const struct matrix *K)
+{
+    struct station s;
+    struct contact at;
+    struct hobe_error err;
+    double F[3], G[2][3][3], sum[3][3];
+    find_station(model, force->beam, force->at, force_point(force), u, &s);
+    const double length = s.body ? body_radius(s.body) : s.place.beam->length;
+    find_contact(model, &s, u, instant, &at);
+    enum hobe_status status = call(force, &at, F, &err);
+    if (!status && K)
+        status = force->derivative ? force->derivative(force->context, at.t, at.x, at.v, G, &err)
+                                   : differentiate(force, &at, length, G, &err);
+    if (status) {
+        model_fail(model, force->where, &err);
+        F[0] = F[1] = F[2] = NAN;
+    }
+    add_force(model, &s, 0, (const double *)F, -factor, r);
+    if (status || !K)
+        return;
+    for (int a = 0; a < 3; a++)
+        for (int c = 0; c < 3; c++)
+            sum[a][c] = G[0][a][c] + instant->rate * G[1][a][c];
+    add_stiffness(model, &s, 0, 0, (const double(*)[3])sum, -factor, K);
+}
+
+/* Any force but the constant dead ones: r -= factor Q. */
+static void subtract_force(const struct hobe_model *model, const struct hobe_force *force,
+                           const double *u, const struct instant *instant, double factor, double *r,
+                           const struct matrix *K)
+{
+    struct station s;
+    const double scaled = factor * drive_factor(model, force->history, instant->time, force->where);
+    if (force->function)
+        subtract_called(model, force, u, instant, scaled, r, K);
+    else if (force->follower)
+        subtract_follower(model, force, u, scaled, r, K);
+    else {
+        find_station(model, force->beam, force->at, force_point(force), u, &s);
+        add_force(model, &s, 0, force->value, -scaled, r);
+    }
+}
+
 /* ---- all loads ------------------------------------------------------------------------------- */
+
+/* g = gravity as far as it has histories. */
+static void changing_gravity(const struct hobe_model *model, const struct instant *instant,
+                             double g[3])
+{
+    const struct gravity *gravity = model->gravities.item;
+    memset(g, 0, sizeof(double[3]));
+    for (size_t i = 0; i < model->gravities.count; i++)
+        for (int a = 0; a < 3; a++)
+            g[a] += gravity[i].g[a] *
+                    drive_factor(model, gravity[i].history, instant->time, gravity[i].where);
+}
 
 /* f += factor times the weight of an element: M a, with a = g on every position of the centreline.
  */
 static void add_weight(const struct hobe_model *model, const struct beam *beam, int e,
-                       double factor, double *f)
+                       const double g[3], double factor, double *f)
 {
     const struct hobe_kernel *k = beam->kernel;
     const double *mass = hobe_element_invariants(beam_law(beam, e))->mass;
@@ -251,13 +378,27 @@ static void add_weight(const struct hobe_model *model, const struct beam *beam, 
                 m += mass[v * k->vectors + w];
         double *to = f + 3 * model_vector(model, beam, e, v);
         for (int a = 0; a < 3; a++)
-            to[a] += factor * m * model->gravity[a];
+            to[a] += factor * m * g[a];
     }
+}
+
+/* The same of all elements, bodies and masses. */
+static void add_weights(const struct hobe_model *model, const double g[3], double factor, double *f)
+{
+    for (size_t i = 0; i < model->beams.count; i++)
+        for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
+            add_weight(model, model_beam(model, i), e, g, factor, f);
+    for (size_t i = 0; i < model->bodies.count; i++)
+        for (int a = 0; a < 3; a++)
+            f[3 * model_body(model, i)->first + a] +=
+                factor * model_body(model, i)->spec.mass * g[a];
+    for (size_t i = 0; i < model->masses.count; i++)
+        point_mass_force(model, model_mass(model, i), factor, g, f);
 }
 
 static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_error *err)
 {
-    if (model->gravity[0] == 0 && model->gravity[1] == 0 && model->gravity[2] == 0)
+    if (length3(model->gravity) == 0 && model->gravities.count == 0)
         return HOBE_OK;
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
@@ -266,15 +407,8 @@ static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_erro
                              "gravity needs a density: material.rho of beam \"%s\" is %g, must be "
                              "> 0 (kg/m^3)",
                              beam->name, beam->spec.material.rho);
-        for (int e = 0; e < beam->spec.elements; e++)
-            add_weight(model, beam, e, 1, model->dead);
     }
-    for (size_t i = 0; i < model->bodies.count; i++)
-        for (int a = 0; a < 3; a++)
-            model->dead[3 * model_body(model, i)->first + a] +=
-                model_body(model, i)->spec.mass * model->gravity[a];
-    for (size_t i = 0; i < model->masses.count; i++)
-        point_mass_force(model, model_mass(model, i), 1, model->gravity, model->dead);
+    add_weights(model, model->gravity, 1, model->dead);
     return HOBE_OK;
 }
 
@@ -303,10 +437,16 @@ const struct hobe_force *load_follower(const struct hobe_model *model)
 {
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (force->follower)
+        if (force->follower || force->function)
             return force;
     }
     return NULL;
+}
+
+/* Whether the force is the same in any state at any time, and so part of model->dead. */
+static int is_constant(const struct hobe_force *force)
+{
+    return !force->follower && !force->function && !force->history;
 }
 
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
@@ -316,7 +456,7 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         struct station s;
         status = check_part(model, force->beam, force->at_point, force->where, err);
-        if (status || force->follower)
+        if (status || !is_constant(force))
             continue;
         find_station(model, force->beam, force->at, force_point(force), NULL, &s);
         add_force(model, &s, 0, force->value, 1, model->dead);
@@ -325,23 +465,31 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
         const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
         status = check_part(model, moment->beam, moment->at_point, moment->where, err);
     }
-    return status ? status : build_gravity(model, err);
+    if (!status)
+        status = build_gravity(model, err);
+    return status ? status : spin_build(model, err);
 }
 
 void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
                    double factor, double *r, const struct matrix *K)
 {
-    (void)instant;
+    double g[3];
+    if (factor == 0) /* functions that fail would make it NaN */
+        return;
     for (long i = 0; i < 3 * model->vectors; i++)
         r[i] -= factor * model->dead[i];
+    changing_gravity(model, instant, g);
+    if (model->gravities.count > 0)
+        add_weights(model, g, -factor, r);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (force->follower)
-            subtract_follower(model, force, u, factor, r, K);
+        if (!is_constant(force))
+            subtract_force(model, force, u, instant, factor, r, K);
     }
     for (size_t i = 0; i < model->moments.count; i++)
-        subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, factor, r,
-                        K);
+        subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, instant,
+                        factor, r, K);
+    spin_subtract(model, u, factor, r, K);
 }
 
 /* Whether a load acts inside an element, between its ends. */
@@ -351,29 +499,28 @@ static int is_inside(const char *name, double at, const struct beam *beam, int e
     return !strcmp(name, beam->name) && place.element == e && place.xi > 0 && place.xi < 1;
 }
 
-void load_inside(const struct hobe_model *model, const double *u, double factor,
-                 const struct beam *beam, int e, double *f)
+void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
+                 double factor, const struct beam *beam, int e, double *f)
 {
-    add_weight(model, beam, e, factor, f);
+    double g[3];
+    changing_gravity(model, instant, g);
+    for (int a = 0; a < 3; a++)
+        g[a] += model->gravity[a];
+    add_weight(model, beam, e, g, factor, f);
     for (size_t i = 0; i < model->masses.count; i++) {
         const struct point_mass *mass = model_mass(model, i);
         if (is_inside(mass->spec.beam, mass->spec.at, beam, e))
-            point_mass_force(model, mass, factor, model->gravity, f);
+            point_mass_force(model, mass, factor, g, f);
     }
+    spin_inside(model, u, factor, beam, e, f);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        struct station s;
-        if (!is_inside(force->beam, force->at, beam, e))
-            continue;
-        find_station(model, force->beam, force->at, NULL, u, &s);
-        if (force->follower)
-            subtract_follower(model, force, u, -factor, f, NULL);
-        else
-            add_force(model, &s, 0, force->value, factor, f);
+        if (is_inside(force->beam, force->at, beam, e))
+            subtract_force(model, force, u, instant, -factor, f, NULL);
     }
     for (size_t i = 0; i < model->moments.count; i++) {
         const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
         if (is_inside(moment->beam, moment->at, beam, e))
-            subtract_moment(model, moment, u, -factor, f, NULL);
+            subtract_moment(model, moment, u, instant, -factor, f, NULL);
     }
 }

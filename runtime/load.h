@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Forces, moments and gravity. */
+/* Forces, moments and gravity; and the centrifugal force. */
 #ifndef HOBE_LOAD_H
 #define HOBE_LOAD_H
 
@@ -9,22 +9,24 @@
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err);
 
 /* r -= factor * Q, and K -= factor * (dQ/du + rate dQ/dv) when K is not NULL: Q the forces of all
- * loads on the vectors in state u at an instant, [vectors][3], N or N m. */
+ * loads on the vectors in state u at an instant, [vectors][3], N or N m.  Where a history or a
+ * function of the caller fails r is NaN, and the error waits in the model (model_failure). */
 void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
                    double factor, double *r, const struct matrix *K);
 
 /* f[vectors][3] += factor * the forces of the loads on element e of a beam that do not act at its
- * ends: its weight, and what acts between them. */
-void load_inside(const struct hobe_model *model, const double *u, double factor,
-                 const struct beam *beam, int e, double *f);
+ * ends: its weight, and what acts between them.  As above, errors of the caller's functions wait in
+ * the model. */
+void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
+                 double factor, const struct beam *beam, int e, double *f);
 
 /* Adds the force F, N, at a place of a beam to the forces on the vectors, r[vectors][3].
  * HOBE_UNKNOWN with `where` for a beam that is not there. */
 enum hobe_status load_at(const struct hobe_model *model, const char *beam, double at,
                          const double F[3], const char *where, double *r, struct hobe_error *err);
 
-/* Whether some load turns with the section, so that its stiffness is not symmetric: such a force,
- * or NULL. */
+/* Whether the stiffness of some load is not symmetric, since it turns with the section, or is a
+ * function of the caller: such a force, or NULL. */
 const struct hobe_force *load_follower(const struct hobe_model *model);
 
 /* K += a 3 x 3 block at (v, w) of element e, where the layout of K has it.  Of symmetric matrices

@@ -16,6 +16,7 @@ static int free_context(lua_State *L)
     struct hobe_lua *context = lua_touserdata(L, 1);
     hobe_text_free(&context->tables);
     hobe_text_free(&context->newton);
+    hobe_text_free(&context->motion);
     hobe_lua_forget_files(context);
     return 0;
 }
@@ -291,6 +292,8 @@ const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"Scenes", hobe_lua_scene_entries, 0},
     {"Solving", hobe_lua_solve_entries, 0},
     {"Results", hobe_lua_result_methods, 1},
+    {"Motion in time", hobe_lua_dynamic_entries, 0},
+    {"A motion", hobe_lua_history_methods, 1},
     {"Vibration and buckling", hobe_lua_modal_entries, 0},
     {"Modes", hobe_lua_modes_methods, 1},
     {"One element", hobe_lua_kernel_entries, 0},

@@ -32,6 +32,8 @@ extern const struct hobe_lua_entry hobe_lua_item_entries[];      /* lua_item.c *
 extern const struct hobe_lua_entry hobe_lua_scene_entries[];     /* lua_scene.c */
 extern const struct hobe_lua_entry hobe_lua_solve_entries[];     /* lua_solve.c */
 extern const struct hobe_lua_entry hobe_lua_result_methods[];    /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_dynamic_entries[];   /* lua_dynamic.c */
+extern const struct hobe_lua_entry hobe_lua_history_methods[];   /* lua_dynamic.c */
 extern const struct hobe_lua_entry hobe_lua_modal_entries[];     /* lua_modal.c */
 extern const struct hobe_lua_entry hobe_lua_modes_methods[];     /* lua_modal.c */
 extern const struct hobe_lua_entry hobe_lua_kernel_entries[];    /* lua_kernel.c */
@@ -88,6 +90,7 @@ struct hobe_lua {
     size_t written;     /* bytes written to their files so far */
     struct hobe_text tables; /* tables for stdout */
     struct hobe_text newton; /* the log of all solves as CSV */
+    struct hobe_text motion; /* the balance of all motions as CSV */
     struct hobe_lua_file *file;
 };
 

@@ -427,9 +427,19 @@ static const struct hobe_lua_key gravity_keys[] = {
         .doc = "the acceleration {x, y, z}, global axes"),
     {0}};
 
+static const struct hobe_lua_key spin_keys[] = {
+    KEY(struct hobe_spin, axis, KEY_VECTOR, REQUIRED,
+        .doc = "direction {x, y, z} of the line about which the scene turns, global axes"),
+    KEY(struct hobe_spin, about, KEY_VECTOR, .unit = "m",
+        .doc = "a point of that line, {0, 0, 0} where left out"),
+    KEY(struct hobe_spin, speed, KEY_NUMBER, REQUIRED, .unit = "rad/s",
+        .doc = "angular velocity, by the right-hand rule about the axis"),
+    {0}};
+
 static const struct hobe_lua_schema force_schema = {"force", force_keys};
 static const struct hobe_lua_schema moment_schema = {"moment", moment_keys};
 static const struct hobe_lua_schema gravity_schema = {"gravity", gravity_keys};
+static const struct hobe_lua_schema spin_schema = {"spin", spin_keys};
 
 static int force(lua_State *L)
 {
@@ -461,6 +471,39 @@ static int gravity(lua_State *L)
     struct hobe_lua_gravity *g =
         &hobe_lua_push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
     g->where = hobe_lua_keep(L, WHERE);
+    return 1;
+}
+
+static int spin(lua_State *L)
+{
+    struct hobe_spin read = {0};
+    hobe_lua_read(L, 1, &spin_schema, &read);
+    struct hobe_spin *s = &hobe_lua_push_item(L, ITEM_SPIN, &read, sizeof read)->as.spin;
+    s->where = hobe_lua_keep(L, WHERE);
+    return 1;
+}
+
+/* ---- the start of a motion ------------------------------------------------------------------ */
+
+static const struct hobe_lua_key motion_keys[] = {
+    KEY(struct hobe_motion, beam, KEY_TEXT, .position = 1,
+        .doc = "name of the beam; everything where left out"),
+    KEY(struct hobe_motion, velocity, KEY_VECTOR, .unit = "m/s",
+        .doc = "of the point `about`, {x, y, z}"),
+    KEY(struct hobe_motion, angular_velocity, KEY_VECTOR, .unit = "rad/s",
+        .doc = "about that point, {x, y, z}"),
+    KEY(struct hobe_motion, about, KEY_VECTOR, .unit = "m", .doc = "a point, {x, y, z}"),
+    {0}};
+
+static const struct hobe_lua_schema motion_schema = {"motion", motion_keys};
+
+static int motion(lua_State *L)
+{
+    struct hobe_motion read;
+    hobe_lua_read(L, 1, &motion_schema, &read);
+    struct hobe_motion *m = &hobe_lua_push_item(L, ITEM_MOTION, &read, sizeof read)->as.motion;
+    m->where = hobe_lua_keep(L, WHERE);
+    m->beam = m->beam ? hobe_lua_keep_copy(L, m->beam, NAME) : NULL;
     return 1;
 }
 
@@ -505,4 +548,15 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      &moment_schema, NULL},
     {"gravity", gravity, "hobe.gravity{0, 0, -9.81}",
      "Gravity on every beam, body and mass of the scene; several add up.", &gravity_schema, NULL},
+    {"spin", spin, "hobe.spin{axis = {0, 0, 1}, speed =}",
+     "The scene as seen in a frame that turns steadily with all its supports: its equilibrium "
+     "bears the centrifugal force w^2 M P q, P the projection across the axis, which moves with "
+     "what it acts on.  Forces keep their direction in the turning frame.  The load factor of "
+     "statics and paths scales w^2.  `hobe.modal` about such an equilibrium minds Coriolis' force; "
+     "critical speeds of a shaft are w sqrt(factor) of `hobe.buckling`.",
+     &spin_schema, NULL},
+    {"motion", motion, "hobe.motion{[\"beam\",] velocity =, angular_velocity =, about =}",
+     "Velocities with which `hobe.dynamic` starts: those of a rigid motion.  Of several that speak "
+     "of a beam or body the last counts.",
+     &motion_schema, NULL},
     {0}};

@@ -17,8 +17,10 @@ enum hobe_lua_kind {
     ITEM_FORCE,
     ITEM_MOMENT,
     ITEM_GRAVITY,
+    ITEM_SPIN,
     ITEM_JOIN,
-    ITEM_JOINT
+    ITEM_JOINT,
+    ITEM_MOTION
 };
 
 struct hobe_lua_gravity {
@@ -38,8 +40,10 @@ struct hobe_lua_item {
         struct hobe_force force;
         struct hobe_moment moment;
         struct hobe_lua_gravity gravity;
+        struct hobe_spin spin;
         struct hobe_join join;
         struct hobe_joint joint;
+        struct hobe_motion motion;
     } as;
 };
 
@@ -86,6 +90,13 @@ int hobe_lua_read_body_point(lua_State *L, int index, const char *method, double
 /* hobe.body{...}.  (lua_body.c) */
 extern const struct hobe_lua_schema hobe_lua_body_schema;
 int hobe_lua_body(lua_State *L);
+
+/* Pushes a result that is still empty, of the scene at an index (lua_solve.c). */
+hobe_solution **hobe_lua_new_result(lua_State *L, int scene);
+
+/* The scene and the table of options of a verb, the schema's name: its first two arguments. */
+struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
+                                          void *options, size_t size);
 
 /* The kernel called name; raises where there is none. */
 const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name);

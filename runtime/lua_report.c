@@ -220,6 +220,15 @@ static void add_notes(lua_State *L, struct hobe_text *text)
     lua_pop(L, 1);
 }
 
+/* A log becomes a file unless it is empty. */
+static void stage_log(lua_State *L, const char *name, struct hobe_text *log)
+{
+    if (log->size == 0 && !log->status)
+        return;
+    *hobe_lua_stage(L, name) = *log;
+    *log = (struct hobe_text){0};
+}
+
 /* Adds the report's own files to those of the script. */
 static void stage_report(lua_State *L, const struct hobe_value *value, size_t count)
 {
@@ -227,11 +236,8 @@ static void stage_report(lua_State *L, const struct hobe_value *value, size_t co
     context->finishing = 1;
     hobe_report_json(hobe_lua_stage(L, "report.json"), value, count);
     hobe_report_csv(hobe_lua_stage(L, "report.csv"), value, count);
-    if (context->newton.size > 0 || context->newton.status) {
-        struct hobe_text *text = hobe_lua_stage(L, "newton.csv");
-        *text = context->newton;
-        context->newton = (struct hobe_text){0};
-    }
+    stage_log(L, "newton.csv", &context->newton);
+    stage_log(L, "motion.csv", &context->motion);
 }
 
 static void write_text(lua_State *L, const struct hobe_text *text, FILE *to)

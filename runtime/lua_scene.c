@@ -85,10 +85,14 @@ static enum hobe_status add_item(hobe_model *model, const struct hobe_lua_item *
         return hobe_model_moment(model, &item->as.moment, err);
     case ITEM_GRAVITY:
         return hobe_model_gravity(model, item->as.gravity.where, item->as.gravity.value, err);
+    case ITEM_SPIN:
+        return hobe_model_spin(model, &item->as.spin, err);
     case ITEM_JOIN:
         return hobe_model_join(model, &item->as.join, err);
     case ITEM_JOINT:
         return hobe_model_joint(model, &item->as.joint, err);
+    case ITEM_MOTION:
+        return hobe_model_motion(model, &item->as.motion, err);
     }
     return HOBE_OK;
 }

@@ -109,6 +109,7 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
+    SOLVED("time", solution.time, 'd', "s", "of a state of a motion"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
     SOLVED("setup_seconds", model.setup, 'd', "s", "building the scene"),
     SOLVED("solve_seconds", solution.seconds, 'd', "s", "solving"),
@@ -208,6 +209,27 @@ static int displacement(lua_State *L)
 static int position(lua_State *L)
 {
     return hobe_lua_push_numbers(L, read_motion(L, "position").r, 3);
+}
+
+/* Pushes the velocity of the place that the arguments ask for, or the acceleration. */
+static int push_rate(lua_State *L, const char *name, int acceleration)
+{
+    const struct spot s = read_spot(L, name);
+    double rate[2][3];
+    struct hobe_error err;
+    if (hobe_solution_velocity(s.solution, s.beam, s.at, s.y, s.z, rate[0], rate[1], &err))
+        hobe_lua_raise(L, &err);
+    return hobe_lua_push_numbers(L, rate[acceleration], 3);
+}
+
+static int velocity(lua_State *L)
+{
+    return push_rate(L, "velocity", 0);
+}
+
+static int acceleration(lua_State *L)
+{
+    return push_rate(L, "acceleration", 1);
 }
 
 static int rotation(lua_State *L)
@@ -344,6 +366,10 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      NULL, NULL},
     {"position", position, "r:position(beam, at [, y, z])",
      "`{x, y, z}`, m, global axes; also of a body.", NULL, NULL},
+    {"velocity", velocity, "r:velocity(beam, at [, y, z])",
+     "Of a state of a motion, `{v1, v2, v3}`, m/s, global axes; also of a body.", NULL, NULL},
+    {"acceleration", acceleration, "r:acceleration(beam, at [, y, z])", "Likewise, m/s^2.", NULL,
+     NULL},
     {"rotation", rotation, "r:rotation(beam, at)",
      "The rotation vector of the section, or of a body, rad, global axes.", NULL, NULL},
     {"twist", twist, "r:twist(beam, at)",
@@ -425,20 +451,20 @@ static void warn_along(lua_State *L, const hobe_model *model)
     }
 }
 
-/* Pushes a result that is still empty, of the scene at index 1. */
-static struct result *new_result(lua_State *L, const hobe_model *model)
+hobe_solution **hobe_lua_new_result(lua_State *L, int scene)
 {
+    scene = lua_absindex(L, scene);
+    const struct hobe_lua_scene *of = lua_touserdata(L, scene);
     struct result *result = lua_newuserdatauv(L, sizeof *result, 1);
-    *result = (struct result){NULL, model};
+    *result = (struct result){NULL, of->model};
     hobe_lua_set_type(L, HOBE_LUA_RESULT, finalize, hobe_lua_result_methods, get_field);
-    lua_pushvalue(L, 1);
+    lua_pushvalue(L, scene);
     lua_setiuservalue(L, -2, 1);
-    return result;
+    return &result->solution;
 }
 
-/* The scene and the table of options of a verb, the schema's name. */
-static struct hobe_lua_scene *read_arguments(lua_State *L, const struct hobe_lua_schema *schema,
-                                             void *options, size_t size)
+struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
+                                          void *options, size_t size)
 {
     lua_settop(L, 2);
     struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
@@ -497,24 +523,24 @@ static void note_change(lua_State *L, const hobe_solution *solution)
 static int solve_static(lua_State *L)
 {
     struct options options;
-    struct hobe_lua_scene *scene = read_arguments(L, &static_schema, &options, sizeof options);
+    struct hobe_lua_scene *scene = hobe_lua_read_verb(L, &static_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
     options.newton.no_line_search = !options.line_search;
-    struct result *result = new_result(L, scene->model);
+    hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
     hobe_lua_pause_clock();
     begin_watch(&watch, hobe_lua_context(L), options.log);
-    enum hobe_status status = hobe_static(scene->model, &options.newton, &result->solution, &err);
+    enum hobe_status status = hobe_static(scene->model, &options.newton, solution, &err);
     end_watch(&watch);
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    note_change(L, result->solution);
+    note_change(L, *solution);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
-        warn(L, result->solution, beam, "", HOBE_WARNING_NONE);
+        warn(L, *solution, beam, "", HOBE_WARNING_NONE);
     return 1;
 }
 
@@ -609,8 +635,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     hobe_path_info(path, &info);
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
-        struct result *result = new_result(L, model);
-        result->solution = hobe_path_take(path, i);
+        *hobe_lua_new_result(L, 1) = hobe_path_take(path, i);
         lua_rawseti(L, -2, i + 1);
     }
     lua_pushstring(L, ends[info.end]);
@@ -631,7 +656,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
 static int solve_path(lua_State *L)
 {
     struct path_options options;
-    struct hobe_lua_scene *scene = read_arguments(L, &path_schema, &options, sizeof options);
+    struct hobe_lua_scene *scene = hobe_lua_read_verb(L, &path_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
     if (options.path.to == 0)

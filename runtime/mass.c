@@ -14,68 +14,84 @@ static const double *element_mass(const struct beam *beam, int e)
     return hobe_element_invariants(beam_law(beam, e))->mass;
 }
 
-void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
-                   const double *a, double *f)
+void mass_element_force(const struct hobe_model *model, const struct beam *beam, int e,
+                        const double A[3][3], const double *a, double *f)
 {
     const int V = beam->kernel->vectors;
-    for (int e = 0; e < beam->spec.elements; e++) {
-        const double *m = element_mass(beam, e);
-        for (int v = 0; v < V; v++)
-            for (int w = 0; w < V; w++)
-                for (int c = 0; c < 3; c++)
-                    f[3 * model_vector(model, beam, e, v) + c] +=
-                        factor * m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
+    const double *m = element_mass(beam, e);
+    for (int v = 0; v < V; v++) {
+        double sum[3] = {0}, *to = f + 3 * model_vector(model, beam, e, v);
+        for (int w = 0; w < V; w++)
+            for (int c = 0; c < 3; c++)
+                sum[c] += m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
+        for (int c = 0; c < 3; c++)
+            to[c] += dot3(A[c], sum);
     }
 }
 
-void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
+static void element_matrix(const struct hobe_model *model, const struct beam *beam, int e,
+                           const double A[3][3], const struct matrix *K)
 {
-    for (size_t i = 0; i < model->beams.count; i++)
-        mass_force_of(model, model_beam(model, i), factor, a, f);
-    for (size_t i = 0; i < model->bodies.count; i++) {
-        const struct body *body = model_body(model, i);
-        for (int v = 0; v < BODY_VECTORS; v++)
-            for (int w = 0; w < BODY_VECTORS; w++)
-                for (int c = 0; c < 3; c++)
-                    f[3 * (body->first + v) + c] +=
-                        factor * body->mass[v][w] * a[3 * (body->first + w) + c];
-    }
-    for (size_t i = 0; i < model->masses.count; i++) {
-        const struct point_mass *mass = model_mass(model, i);
-        double moved[3];
-        point_mass_value(model, mass, a, moved);
-        point_mass_force(model, mass, factor, moved, f);
-    }
+    const int V = beam->kernel->vectors;
+    for (int v = 0; v < V; v++)
+        for (int w = 0; w < V; w++) {
+            double block[3][3];
+            times3(element_mass(beam, e)[v * V + w], A, block);
+            tangent_add(model, beam, e, v, w, (const double(*)[3])block, K);
+        }
+}
+
+void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
+                   const double *a, double *f)
+{
+    for (int e = 0; e < beam->spec.elements; e++)
+        mass_element_force(model, beam, e, MASS_ISOTROPIC(factor), a, f);
 }
 
 void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, double factor,
                     const struct matrix *K)
 {
-    const int V = beam->kernel->vectors;
     for (int e = 0; e < beam->spec.elements; e++)
-        for (int v = 0; v < V; v++)
-            for (int w = 0; w < V; w++) {
-                const double m = factor * element_mass(beam, e)[v * V + w];
-                const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
-                tangent_add(model, beam, e, v, w, block, K);
-            }
+        element_matrix(model, beam, e, MASS_ISOTROPIC(factor), K);
+}
+
+void mass_force_through(const struct hobe_model *model, const double A[3][3], const double *a,
+                        double *f)
+{
+    for (size_t i = 0; i < model->beams.count; i++)
+        for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
+            mass_element_force(model, model_beam(model, i), e, A, a, f);
+    for (size_t i = 0; i < model->bodies.count; i++)
+        body_mass_force(model_body(model, i), A, a, f);
+    for (size_t i = 0; i < model->masses.count; i++) {
+        double moved[3], through[3];
+        point_mass_value(model, model_mass(model, i), a, moved);
+        for (int c = 0; c < 3; c++)
+            through[c] = dot3(A[c], moved);
+        point_mass_force(model, model_mass(model, i), 1, through, f);
+    }
+}
+
+void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
+                         const struct matrix *K)
+{
+    for (size_t i = 0; i < model->beams.count; i++)
+        for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
+            element_matrix(model, model_beam(model, i), e, A, K);
+    for (size_t i = 0; i < model->bodies.count; i++)
+        body_mass_matrix(model, model_body(model, i), A, K);
+    for (size_t i = 0; i < model->masses.count; i++)
+        point_mass_matrix(model, model_mass(model, i), A, K);
+}
+
+void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
+{
+    mass_force_through(model, MASS_ISOTROPIC(factor), a, f);
 }
 
 void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K)
 {
-    for (size_t i = 0; i < model->beams.count; i++)
-        mass_matrix_of(model, model_beam(model, i), factor, K);
-    for (size_t i = 0; i < model->bodies.count; i++) {
-        const struct body *body = model_body(model, i);
-        for (int v = 0; v < BODY_VECTORS; v++)
-            for (int w = 0; w < BODY_VECTORS; w++) {
-                const double m = factor * body->mass[v][w];
-                const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
-                body_tangent_add(model, body, v, w, block, K);
-            }
-    }
-    for (size_t i = 0; i < model->masses.count; i++)
-        point_mass_matrix(model, model_mass(model, i), factor, K);
+    mass_matrix_through(model, MASS_ISOTROPIC(factor), K);
 }
 
 double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
@@ -97,13 +113,8 @@ double mass_product(const struct hobe_model *model, const double *a, const doubl
     double sum = 0;
     for (size_t i = 0; i < model->beams.count; i++)
         sum += mass_product_of(model, model_beam(model, i), a, b);
-    for (size_t i = 0; i < model->bodies.count; i++) {
-        const struct body *body = model_body(model, i);
-        for (int v = 0; v < BODY_VECTORS; v++)
-            for (int w = 0; w < BODY_VECTORS; w++)
-                sum +=
-                    body->mass[v][w] * dot3(a + 3 * (body->first + v), b + 3 * (body->first + w));
-    }
+    for (size_t i = 0; i < model->bodies.count; i++)
+        sum += body_mass_product(model_body(model, i), a, b);
     for (size_t i = 0; i < model->masses.count; i++) {
         const struct point_mass *mass = model_mass(model, i);
         double x[3], y[3];

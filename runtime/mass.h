@@ -5,8 +5,23 @@
 
 #include "model.h"
 
+/* factor I_3 for A below. */
+#define MASS_ISOTROPIC(factor)                                                                     \
+    ((const double[3][3]){{factor, 0, 0}, {0, factor, 0}, {0, 0, factor}})
+
 /* f[vectors][3] += factor M a, a[vectors][3]. */
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f);
+
+/* K += factor M */
+void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K);
+
+/* The same with m (x) A in the place of M, and f of one element of a beam alone. */
+void mass_force_through(const struct hobe_model *model, const double A[3][3], const double *a,
+                        double *f);
+void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
+                         const struct matrix *K);
+void mass_element_force(const struct hobe_model *model, const struct beam *beam, int e,
+                        const double A[3][3], const double *a, double *f);
 
 /* Of one beam alone. */
 void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
@@ -15,9 +30,6 @@ void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, dou
                     const struct matrix *K);
 double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
                        const double *b);
-
-/* K += factor M */
-void mass_matrix(const struct hobe_model *model, double factor, const struct matrix *K);
 
 /* a'M b of two fields [vectors][3], held vectors included. */
 double mass_product(const struct hobe_model *model, const double *a, const double *b);

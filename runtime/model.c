@@ -11,6 +11,7 @@
 #include "numbering.h"
 #include "pattern.h"
 #include "point_mass.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <stdio.h>
@@ -52,7 +53,14 @@ static char *copy_text(const char *text, struct hobe_error *err)
 
 hobe_model *hobe_model_new(struct hobe_error *err)
 {
-    return hobe_alloc(1, sizeof(hobe_model), err);
+    hobe_model *model = hobe_alloc(1, sizeof *model, err);
+    struct hobe_error *failure = model ? hobe_alloc(1, sizeof *failure, err) : NULL;
+    if (!failure) {
+        hobe_free(model);
+        return NULL;
+    }
+    model->failure = failure;
+    return model;
 }
 
 static void free_named(struct list *list, size_t size, size_t name_offset, int names)
@@ -77,8 +85,14 @@ void hobe_model_free(hobe_model *model)
     free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 2);
     free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
     free_named(&model->moments, sizeof(struct hobe_moment), offsetof(struct hobe_moment, beam), 1);
+    free_named(&model->motions, sizeof(struct hobe_motion), offsetof(struct hobe_motion, beam), 1);
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
     free_named(&model->joints, sizeof(struct hobe_joint), offsetof(struct hobe_joint, beam), 3);
+    hobe_free(model->gravities.item);
+
+    for (size_t i = 0; i < model->springs.count; i++)
+        tie_free(&model_spring(model, i)->tie);
+    free_named(&model->springs, sizeof(struct spring), offsetof(struct spring, spec.beam), 3);
     for (size_t i = 0; i < model->ties.count; i++)
         tie_free(model_tie(model, i));
     hobe_free(model->ties.item);
@@ -91,10 +105,12 @@ void hobe_model_free(hobe_model *model)
     hobe_free(model->unknown);
     hobe_free(model->held);
     hobe_free(model->dead);
+    hobe_free(model->arm);
     assemble_free(&model->schedule);
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
     hobe_free(model->note);
+    hobe_free(model->failure);
     hobe_free(model);
 }
 
@@ -270,6 +286,21 @@ enum hobe_status hobe_model_joint(hobe_model *model, const struct hobe_joint *sp
     return add_item(&model->joints, spec, sizeof *spec, offsetof(struct hobe_joint, beam), 3, err);
 }
 
+enum hobe_status hobe_model_spring(hobe_model *model, const struct hobe_spring *spec,
+                                   struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err) || spring_check(spec, err))
+        return HOBE_BAD_INPUT;
+    for (size_t i = 0; spec->name && i < model->springs.count; i++) {
+        const char *other = model_spring(model, i)->spec.name;
+        if (other && !strcmp(other, spec->name))
+            return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                             "there are two springs \"%s\"; give each its own name", spec->name);
+    }
+    return add_item(&model->springs, &(struct spring){.spec = *spec}, sizeof(struct spring),
+                    offsetof(struct spring, spec.beam), 3, err);
+}
+
 enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *spec,
                                   struct hobe_error *err)
 {
@@ -278,6 +309,10 @@ enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *sp
     if (not_finite(spec->value, 3) || not_finite(spec->point, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
                          "a force must be finite (N), and its point (m)");
+    if (spec->function && (spec->follower || length3(spec->value) > 0))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a force that is a function gives its global axes itself; leave out "
+                         "follower and any other value");
     return add_item(&model->forces, spec, sizeof *spec, offsetof(struct hobe_force, beam), 1, err);
 }
 
@@ -300,16 +335,61 @@ enum hobe_status hobe_model_join(hobe_model *model, const struct hobe_join *spec
     return add_item(&model->joins, spec, sizeof *spec, offsetof(struct hobe_join, beam), 2, err);
 }
 
-enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const double g[3],
-                                    struct hobe_error *err)
+enum hobe_status hobe_model_motion(hobe_model *model, const struct hobe_motion *spec,
+                                   struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
+    if (not_finite(spec->velocity, 3) || not_finite(spec->angular_velocity, 3) ||
+        not_finite(spec->about, 3))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "velocity (m/s), angular_velocity (rad/s) and about (m) must be finite");
+    return add_item(&model->motions, spec, sizeof *spec, offsetof(struct hobe_motion, beam), 1,
+                    err);
+}
+
+enum hobe_status hobe_model_gravity_history(hobe_model *model, const char *where, const double g[3],
+                                            hobe_drive *history, struct hobe_error *err)
 {
     if (check_open(model, where, err))
         return HOBE_BAD_INPUT;
     if (not_finite(g, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, where, "gravity must be finite (m/s^2)");
-    for (int a = 0; a < 3; a++)
-        model->gravity[a] += g[a];
     model->gravity_where = where;
+    for (int a = 0; a < 3 && !history; a++)
+        model->gravity[a] += g[a];
+    struct gravity *gravity = history ? list_append(&model->gravities, sizeof *gravity, err) : NULL;
+    if (gravity)
+        *gravity = (struct gravity){{g[0], g[1], g[2]}, history, where};
+    return history && !gravity ? HOBE_NO_MEMORY : HOBE_OK;
+}
+
+enum hobe_status hobe_model_gravity(hobe_model *model, const char *where, const double g[3],
+                                    struct hobe_error *err)
+{
+    return hobe_model_gravity_history(model, where, g, NULL, err);
+}
+
+enum hobe_status hobe_model_spin(hobe_model *model, const struct hobe_spin *spec,
+                                 struct hobe_error *err)
+{
+    if (check_open(model, spec->where, err))
+        return HOBE_BAD_INPUT;
+    const double length = length3(spec->axis);
+    if (!(length > 0 && isfinite(length)))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "the axis of a spin must be a direction {x, y, z}, got {%g, %g, %g}",
+                         spec->axis[0], spec->axis[1], spec->axis[2]);
+    if (not_finite(spec->about, 3) || !isfinite(spec->speed))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a spin's speed (rad/s) and the point it is about (m) must be finite");
+    if (model->spun)
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a scene turns as a whole, with one spin; there is another one");
+    model->spun = 1;
+    model->spin = *spec;
+    for (int a = 0; a < 3; a++)
+        model->spin.axis[a] = spec->axis[a] / length;
     return HOBE_OK;
 }
 
@@ -403,6 +483,24 @@ enum hobe_status model_add_note(hobe_model *model, const char *text, struct hobe
     model->note = grown;
     grown[model->notes] = copy_text(text, err);
     return grown[model->notes] && ++model->notes ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+void model_fail(const struct hobe_model *model, const char *where, const struct hobe_error *err)
+{
+    if (model->failure->status)
+        return;
+    *model->failure = *err;
+    if (!err->where)
+        model->failure->where = where;
+}
+
+enum hobe_status model_failure(const struct hobe_model *model, struct hobe_error *err)
+{
+    const enum hobe_status status = model->failure->status;
+    if (status && err)
+        *err = *model->failure;
+    model->failure->status = HOBE_OK;
+    return status;
 }
 
 /* ---- build ---------------------------------------------------------------------------------- */

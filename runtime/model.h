@@ -44,14 +44,23 @@ struct matrix {
 
 /* What drives and some loads ask for beside the state u: the time and the velocities. */
 struct instant {
-    double time;     /* s */
-    const double *v; /* [vectors][3] m/s; NULL: at rest */
-    double rate;     /* dv/du, 1/s, of the step in time: tangents are d/du + rate d/dv */
+    double time;      /* s */
+    const double *v;  /* [vectors][3] m/s; NULL: at rest */
+    double rate;      /* dv/du, 1/s, of the step in time: tangents are d/du + rate d/dv */
+    double held_back; /* share of the drives' motion that is not done yet: 1 - the load factor in
+                         statics, 0 in time */
 };
-static const struct instant AT_REST = {0, NULL, 0};
+static const struct instant AT_REST = {0, NULL, 0, 0};
 
 struct workspace {                               /* of one batch, large enough for every beam */
     hobe_lanes *q0, *u, *f, *K, *more, *scratch; /* more: a second K */
+};
+
+/* Gravity that changes in time. */
+struct gravity {
+    double g[3]; /* m/s^2 */
+    hobe_drive *history;
+    const char *where;
 };
 
 /* Runs of neighbouring batches in the order of assembly: those of one colour share no vector, so
@@ -73,10 +82,15 @@ struct schedule {
 
 struct hobe_model {
     struct list beams, clamps, forces, moments, joins, joints; /* struct beam, hobe_clamp, ... */
-    struct list bodies, masses; /* struct body (body.h), struct point_mass (point_mass.h) */
-    struct list ties;           /* struct tie (constraint.h), of corners, bodies and joints */
+    struct list bodies, masses;   /* struct body (body.h), struct point_mass (point_mass.h) */
+    struct list springs, motions; /* struct spring, hobe_motion */
+    struct list gravities;        /* struct gravity, with a history */
+    struct list ties;             /* struct tie (constraint.h), of corners, bodies and joints */
     double gravity[3];
     const char *gravity_where;
+    struct hobe_spin spin; /* with a unit axis */
+    int spun;              /* there is one */
+    double *arm;           /* [vectors][3] reference from a point of the spin's axis, NULL: none */
     int built;
     enum hobe_status failed; /* a failed build is not tried again */
     struct hobe_error loose; /* what is free to move, where something is: its status is not 0 */
@@ -92,6 +106,7 @@ struct hobe_model {
     hobe_fronts *fronts;   /* NULL where tangents are not symmetric */
     hobe_linsolve *solver; /* NULL until pattern_columns */
     struct schedule schedule;
+    struct hobe_error *failure; /* the first in a drive or a force of the caller (model_fail) */
     char **note;
     size_t notes;
     double setup;
@@ -135,6 +150,13 @@ static inline long pattern_scalar(const struct pattern *p, long j, long b, int a
     const long height = p->start[j + 1] - p->start[j];
     return 9 * p->start[j] + 3 * height * c + 3 * (b - p->start[j]) + a;
 }
+
+/* Residuals are sums without a status: where a drive or a force of the caller fails in one, it is
+ * NaN, and the error waits in the model. */
+void model_fail(const struct hobe_model *model, const char *where, const struct hobe_error *err);
+
+/* The error that waits, which it forgets; HOBE_OK without one.  To be asked after residuals. */
+enum hobe_status model_failure(const struct hobe_model *model, struct hobe_error *err);
 
 /* Seconds of a monotonic clock. */
 double hobe_seconds(void);

@@ -5,11 +5,13 @@
 
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
 #include "inertia.h"
 #include "load.h"
 #include "mass.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 
 #include <float.h>
 #include <math.h>
@@ -99,11 +101,17 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
     const struct motion *m = &s->motion;
     const struct matrix *stiffness = m->mass_alone ? NULL : K;
+    struct instant instant = m->instant;
+    instant.held_back = 1 - factor;
     assemble_expecting(s->model, s->u, s->expecting ? s->step : NULL, s->r, stiffness);
     if (K && m->mass_alone)
         pattern_clear(s->model, K);
-    constraint_add(s->model, s->u, &m->instant, s->r, K);
-    load_subtract(s->model, s->u, &m->instant, factor, s->r, stiffness);
+    constraint_add(s->model, s->u, &instant, s->r, K);
+    spring_add(s->model, s->u, &instant, s->r, stiffness);
+    damping_add(s->model, s->u, &instant, s->r, stiffness);
+    load_subtract(s->model, s->u, &instant, factor, s->r, stiffness);
+    if (instant.v)
+        damping_add(s->model, s->u, &instant, s->r, stiffness);
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
@@ -244,6 +252,8 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
         const int far = s->now.iteration > 0 && last_norm > NEAR * first_norm;
         solver_evaluate(s, factor, far ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
+        if (model_failure(s->model, err))
+            return ERROR;
         if (s->now.iteration == 0)
             first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
@@ -419,27 +429,19 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
     *s = (struct solver){.model = model, .options = *options, .singular = -1};
     s->info.negative = -1;
     set_defaults(&s->options);
+    s->motion.instant.time = s->info.time = options->time;
     const enum hobe_status status = allocate(s, err);
-    if (!status)
-        set_scale(s);
-    return status;
+    if (status)
+        return status;
+    set_scale(s);
+    return model_failure(model, err);
 }
 
 hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err)
 {
-    const size_t vectors = (size_t)(3 * s->model->vectors);
-    hobe_solution *solution = hobe_alloc(1, sizeof *solution, err);
-    double *u = solution ? hobe_alloc(vectors, sizeof *u, err) : NULL;
-    if (!u) {
-        hobe_free(solution);
-        return NULL;
-    }
-    for (long v = 0; v < s->model->vectors; v++) /* joined vectors move together */
-        memcpy(u + 3 * v, s->u + 3 * s->model->alias[v], 3 * sizeof *u);
-    s->info.energy = assemble_energy(s->model, u);
+    s->info.energy = assemble_energy(s->model, s->u) + spring_energy(s->model, s->u);
     s->info.seconds = hobe_seconds() - started;
-    *solution = (struct hobe_solution){s->model, u, s->info};
-    return solution;
+    return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
 }
 
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
@@ -464,16 +466,4 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     }
     solver_close(&s);
     return status;
-}
-
-void hobe_solution_free(hobe_solution *solution)
-{
-    if (solution)
-        hobe_free(solution->u);
-    hobe_free(solution);
-}
-
-void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info)
-{
-    *info = solution->info;
 }

@@ -6,6 +6,7 @@
 #include "constraint.h"
 #include "element.h"
 #include "joint.h"
+#include "spring.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -210,6 +211,8 @@ enum hobe_status number_model(hobe_model *model, struct hobe_error *err)
         status = body_ties(model, err);
     if (!status)
         status = joint_parts(model, err);
+    if (!status)
+        status = spring_build(model, err);
     if (!status)
         status = hold_dropped(model, err);
     if (!status)

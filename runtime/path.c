@@ -10,6 +10,7 @@
  *
  * The next tangent is +-(q, 1) on the side of the last one: it goes on through limit points, and
  * straight over bifurcations.  Both show in the number of negative eigenvalues. */
+#include "drive.h"
 #include "load.h"
 #include "newton.h"
 #include "solution.h"
@@ -75,7 +76,7 @@ static double distance(const struct follower *f, const struct plane *p, const do
 static enum hobe_status solve_load(struct follower *f, struct hobe_error *err)
 {
     memset(f->force, 0, (size_t)(3 * f->s.model->vectors) * sizeof *f->force);
-    load_subtract(f->s.model, f->s.u, &AT_REST, -1, f->force, NULL);
+    load_subtract(f->s.model, f->s.u, &f->s.motion.instant, -1, f->force, NULL);
     return solver_solve(&f->s, f->force, 1, f->q, err);
 }
 
@@ -109,6 +110,8 @@ static enum outcome iterate(struct follower *f, const struct plane *plane, struc
         solver_evaluate(s, f->lambda, s->now.iteration ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
         s->now.load = f->lambda;
+        if (model_failure(s->model, err))
+            return ERROR;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome == CONVERGED && s->now.iteration > 0)
             return solver_check_volume(s, err);
@@ -378,6 +381,10 @@ static enum hobe_status start(struct follower *f, struct hobe_error *err)
     struct solver *s = &f->s;
     const hobe_model *model = s->model;
     double c = 0;
+    const struct hobe_joint *driven = drive_joint(model);
+    if (driven)
+        return hobe_fail(err, HOBE_BAD_INPUT, driven->where,
+                         "a path follows loads and cannot follow a driven joint; use hobe.static");
     if (!(s->load_norm > 0))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "a path needs loads, and the scene has none");
     const enum outcome outcome = count_and_factor(f, err);

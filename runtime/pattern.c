@@ -4,6 +4,7 @@
 #include "body.h"
 #include "constraint.h"
 #include "load.h"
+#include "spring.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,8 +25,20 @@ static long unknown(const struct hobe_model *model, const struct beam *beam, int
     return model->unknown[model_vector(model, beam, e, v)];
 }
 
-/* Calls visit for every pair of unknown vectors (i, j) that an element or a joint couples, repeats
- * included. */
+/* What couples vectors beside the elements: ties, then springs. */
+static size_t couplings(const struct hobe_model *model)
+{
+    return model->ties.count + model->springs.count;
+}
+
+static struct tie *coupling(const struct hobe_model *model, size_t i)
+{
+    const size_t ties = model->ties.count;
+    return i < ties ? model_tie(model, i) : &model_spring(model, i - ties)->tie;
+}
+
+/* Calls visit for every pair of unknown vectors (i, j) that an element, joint or spring couples,
+ * repeats included. */
 static void each_pair(const struct hobe_model *model, void (*visit)(struct pattern *, long, long),
                       struct pattern *pattern)
 {
@@ -39,8 +52,8 @@ static void each_pair(const struct hobe_model *model, void (*visit)(struct patte
                         visit(pattern, i, j);
                 }
     }
-    for (size_t n = 0; n < model->ties.count; n++) {
-        const struct tie *tie = model_tie(model, n);
+    for (size_t n = 0; n < couplings(model); n++) {
+        const struct tie *tie = coupling(model, n);
         for (int w = 0; w < tie->vectors; w++)
             for (int v = 0; v < tie->vectors; v++) {
                 const long i = model->unknown[tie->vector[v]], j = model->unknown[tie->vector[w]];
@@ -157,7 +170,7 @@ static enum hobe_status map_tie(const struct hobe_model *model, enum layout layo
     return HOBE_OK;
 }
 
-/* Where the blocks of beams and ties are. */
+/* Where the blocks of beams, ties and springs are. */
 static enum hobe_status map_blocks(struct hobe_model *model, enum layout layout,
                                    struct hobe_error *err)
 {
@@ -168,8 +181,8 @@ static enum hobe_status map_blocks(struct hobe_model *model, enum layout layout,
         stride[j] = find_stride(model, layout, j);
     for (size_t b = 0; !status && b < model->beams.count; b++)
         status = map_beam(model, layout, model_beam(model, b), err);
-    for (size_t i = 0; !status && i < model->ties.count; i++)
-        status = map_tie(model, layout, model_tie(model, i), err);
+    for (size_t i = 0; !status && i < couplings(model); i++)
+        status = map_tie(model, layout, coupling(model, i), err);
     return status;
 }
 
@@ -186,9 +199,9 @@ static void drop_columns(struct hobe_model *model)
         hobe_free(model_beam(model, b)->place[COLUMNS]);
         model_beam(model, b)->place[COLUMNS] = NULL;
     }
-    for (size_t i = 0; i < model->ties.count; i++) {
-        hobe_free(model_tie(model, i)->place[COLUMNS]);
-        model_tie(model, i)->place[COLUMNS] = NULL;
+    for (size_t i = 0; i < couplings(model); i++) {
+        hobe_free(coupling(model, i)->place[COLUMNS]);
+        coupling(model, i)->place[COLUMNS] = NULL;
     }
 }
 
@@ -271,6 +284,19 @@ void pattern_clear(const struct hobe_model *model, const struct matrix *matrix)
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
     for (size_t i = 0; i < size; i += share)
         memset(matrix->value + i, 0, (size - i < share ? size - i : share) * sizeof(double));
+}
+
+void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double *fronts)
+{
+    const struct pattern *p = &model->pattern;
+    pattern_clear(model, &(struct matrix){FRONTS, fronts});
+    for (long j = 0; j < p->blocks; j++)
+        for (long b = p->start[j]; b < p->start[j + 1]; b++) {
+            const long at = fronts_place(model->fronts, p->row[b], j);
+            for (int c = 0; at >= 0 && c < 3; c++)
+                memcpy(fronts + at + c * model->stride[FRONTS][j],
+                       Ax + pattern_scalar(p, j, b, 0, c), 3 * sizeof *Ax);
+        }
 }
 
 /* Of the diagonals, 0 where they are. */

@@ -17,6 +17,9 @@ enum hobe_status pattern_matrix(const struct hobe_model *model, enum layout layo
                                 struct matrix *matrix, struct hobe_error *err);
 void pattern_clear(const struct hobe_model *model, const struct matrix *matrix);
 
+/* fronts = a symmetric matrix whose values in columns are Ax. */
+void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double *fronts);
+
 /* scale[3 * blocks] = diag(A)^(-1/2) of a tangent.  A multiplier has no diagonal: its row is scaled
  * to entries of order one. */
 void pattern_scale(const struct hobe_model *model, const struct matrix *A, double *scale);

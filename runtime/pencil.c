@@ -8,6 +8,7 @@
 #include "load.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <math.h>
@@ -24,9 +25,11 @@ enum {
 void pencil_tangent(struct pencil *s, double factor, double *Ax)
 {
     const struct matrix K = {COLUMNS, Ax};
+    const struct instant instant = solution_instant(s->state);
     assemble(s->model, s->u, s->r, &K);
-    constraint_add(s->model, s->u, &AT_REST, s->r, &K);
-    load_subtract(s->model, s->u, &AT_REST, factor, s->r, &K);
+    constraint_add(s->model, s->u, &instant, s->r, &K);
+    spring_add(s->model, s->u, &instant, s->r, &K);
+    load_subtract(s->model, s->u, &instant, factor, s->r, &K);
 }
 
 void pencil_scale(const struct pencil *s, double *Ax)
@@ -65,6 +68,31 @@ void pencil_spread(const struct pencil *s, const double *Ax, double sigma, doubl
     for (long j = 0; j < s->n; j++)
         for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++)
             full[j * s->n + p->Ai[k]] = Ax[k] - sigma * s->Mx[k];
+}
+
+/* ---- factors --------------------------------------------------------------------------------- */
+
+enum hobe_status pencil_factor(struct pencil *s, const double *Ax, const double *scale,
+                               struct hobe_error *err)
+{
+    long column;
+    s->factored = COLUMNS;
+    if (s->fronts) {
+        pattern_to_fronts(s->model, Ax, s->fronts);
+        if (!fronts_factor(s->model->fronts, s->fronts, scale)) {
+            s->factored = FRONTS;
+            return HOBE_OK;
+        }
+    }
+    return hobe_linsolve_factor(s->model->solver, Ax, scale, &column, err);
+}
+
+enum hobe_status pencil_divide(struct pencil *s, double *x, struct hobe_error *err)
+{
+    if (s->factored == COLUMNS)
+        return hobe_linsolve_solve(s->model->solver, x, err);
+    fronts_solve(s->model->fronts, s->fronts, x);
+    return HOBE_OK;
 }
 
 /* ---- modes ----------------------------------------------------------------------------------- */
@@ -186,8 +214,10 @@ static enum hobe_status check_state(const struct pencil *s, const char *what,
     const struct hobe_force *force = s->state || s->buckling ? load_follower(model) : NULL;
     if (force)
         return hobe_fail(err, HOBE_BAD_INPUT, force->where,
-                         "a follower force makes the stiffness unsymmetric, which %s cannot "
-                         "treat; make the force on beam \"%s\" a dead one%s",
+                         "a %s makes the stiffness unsymmetric, which %s cannot treat; make the "
+                         "force on beam \"%s\" a dead one%s",
+                         force->function ? "force that is a function of its place"
+                                         : "follower force",
                          what, force->beam, s->buckling ? "" : ", or leave out the state");
     return HOBE_OK;
 }
@@ -243,6 +273,11 @@ enum hobe_status pencil_open(struct pencil *s, const char *what, struct hobe_err
     s->Sx = hobe_alloc((size_t)values(s), sizeof *s->Sx, err);
     if (!s->u || !s->r || !s->scale || !s->ones || !s->product || !s->Ax || !s->Mx || !s->Sx)
         return HOBE_NO_MEMORY;
+    if (s->model->fronts) {
+        s->fronts = hobe_alloc(fronts_size(s->model->fronts), sizeof *s->fronts, err);
+        if (!s->fronts)
+            return HOBE_NO_MEMORY;
+    }
     if (s->state)
         memcpy(s->u, s->state->u, size * sizeof *s->u);
     for (size_t i = 0; i < n; i++)
@@ -260,6 +295,7 @@ void pencil_close(struct pencil *s)
     hobe_free(s->Ax);
     hobe_free(s->Mx);
     hobe_free(s->Sx);
+    hobe_free(s->fronts);
     hobe_free(s->mu);
     hobe_free(s->X);
 }

@@ -21,6 +21,8 @@ struct pencil {
     double *u, *r;        /* [vectors][3] state, and a force nobody reads */
     double *Ax, *Mx;      /* D K D and D M D in the model's pattern */
     double *Sx;           /* a shifted matrix */
+    double *fronts;       /* its factors where they need no pivoting; NULL: the model has none */
+    enum layout factored; /* whose factors are the last */
     double *scale, *ones; /* [n] D, and no further scale */
     double *product;      /* [n] M x */
     int room;             /* modes found, wanted or more */
@@ -48,6 +50,12 @@ void pencil_tangent(struct pencil *s, double factor, double *Ax);
 
 /* Ax to D Ax D. */
 void pencil_scale(const struct pencil *s, double *Ax);
+
+/* Factors of a matrix in the model's pattern, Ax[values], scaled as by hobe_linsolve_factor; and
+ * x[n] = its inverse times x by the last of them. */
+enum hobe_status pencil_factor(struct pencil *s, const double *Ax, const double *scale,
+                               struct hobe_error *err);
+enum hobe_status pencil_divide(struct pencil *s, double *x, struct hobe_error *err);
 
 /* Solves; s->mu and s->X hold at least so many lowest modes, mu ascending (where buckling, that is
  * infinite where no such load is), and *unstable those with mu < 0, asked for or not; -1: not

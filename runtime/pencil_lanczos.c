@@ -21,7 +21,7 @@ static const double TWIN = 1e-6;
 
 static enum hobe_status solve_factored(void *context, double *x, struct hobe_error *err)
 {
-    return hobe_linsolve_solve(((struct pencil *)context)->model->solver, x, err);
+    return pencil_divide(context, x, err);
 }
 
 static void shift(struct pencil *s, double sigma)
@@ -44,21 +44,24 @@ static enum hobe_status count_densely(struct pencil *s, double sigma, long *belo
     return status;
 }
 
+/* The modes below sigma behind ties by two factorisations in columns, the last one of K - sigma M.
+ */
+static enum hobe_status count_behind_ties(struct pencil *s, double sigma, long *below,
+                                          struct hobe_error *err)
+{
+    long column;
+    const enum hobe_status status = inertia_behind_ties(s->model, s->Sx, s->ones, below, err);
+    shift(s, sigma);
+    return status ? status : hobe_linsolve_factor(s->model->solver, s->Sx, s->ones, &column, err);
+}
+
 /* Factors K - sigma M and counts the modes below sigma; -1 where that would take too long. */
 static enum hobe_status count_below(struct pencil *s, double sigma, long *below,
                                     struct hobe_error *err)
 {
-    long column;
     *below = -1;
-    enum hobe_status status = HOBE_OK;
     shift(s, sigma);
-    if (s->multipliers) {
-        status = inertia_behind_ties(s->model, s->Sx, s->ones, below, err);
-        shift(s, sigma);
-    }
-    if (status)
-        return status;
-    status = hobe_linsolve_factor(s->model->solver, s->Sx, s->ones, &column, err);
+    enum hobe_status status = pencil_factor(s, s->Sx, s->ones, err);
     if (status == HOBE_SINGULAR)
         return hobe_fail(err, status, NULL,
                          "the stiffness is singular in this state: the scene is at a critical "
@@ -66,9 +69,14 @@ static enum hobe_status count_below(struct pencil *s, double sigma, long *below,
                          "the scene");
     if (status)
         return status;
-    if (!s->multipliers)
+    if (s->factored == FRONTS)
+        *below = fronts_negative(s->model->fronts) - s->multipliers;
+    else if (s->multipliers)
+        status = count_behind_ties(s, sigma, below, err);
+    else
         *below = hobe_linsolve_negative(s->model->solver);
-    return *below < 0 && s->n <= COUNTED_DENSE ? count_densely(s, sigma, below, err) : HOBE_OK;
+    return !status && *below < 0 && s->n <= COUNTED_DENSE ? count_densely(s, sigma, below, err)
+                                                          : status;
 }
 
 /* The `unstable` modes with negative nu = 1/mu, and the first of the others; without a count

@@ -3,6 +3,7 @@
 
 #include "around.h"
 #include "load.h"
+#include "vector3.h"
 
 static enum hobe_status find_place(const struct hobe_model *model, struct point_mass *mass,
                                    struct hobe_error *err)
@@ -45,15 +46,15 @@ void point_mass_force(const struct hobe_model *model, const struct point_mass *m
                 factor * mass->spec.mass * mass->weight[v] * g[c];
 }
 
-void point_mass_matrix(const struct hobe_model *model, const struct point_mass *mass, double factor,
-                       const struct matrix *K)
+void point_mass_matrix(const struct hobe_model *model, const struct point_mass *mass,
+                       const double A[3][3], const struct matrix *K)
 {
     const struct place place = mass->place;
     for (int v = 0; v < place.beam->kernel->vectors; v++)
         for (int w = 0; w < place.beam->kernel->vectors; w++) {
-            const double m = factor * mass->spec.mass * mass->weight[v] * mass->weight[w];
-            const double block[3][3] = {{m, 0, 0}, {0, m, 0}, {0, 0, m}};
-            tangent_add(model, place.beam, place.element, v, w, block, K);
+            double block[3][3];
+            times3(mass->spec.mass * mass->weight[v] * mass->weight[w], A, block);
+            tangent_add(model, place.beam, place.element, v, w, (const double(*)[3])block, K);
         }
 }
 

@@ -25,9 +25,9 @@ void point_mass_value(const struct hobe_model *model, const struct point_mass *m
 void point_mass_force(const struct hobe_model *model, const struct point_mass *mass, double factor,
                       const double g[3], double *f);
 
-/* K += factor M */
-void point_mass_matrix(const struct hobe_model *model, const struct point_mass *mass, double factor,
-                       const struct matrix *K);
+/* K += its part of m (x) A. */
+void point_mass_matrix(const struct hobe_model *model, const struct point_mass *mass,
+                       const double A[3][3], const struct matrix *K);
 
 /* Finds the places of all masses. */
 enum hobe_status point_mass_places(struct hobe_model *model, struct hobe_error *err);

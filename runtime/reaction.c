@@ -2,9 +2,12 @@
 /* What supports and joints do to the beams they hold. */
 #include "assemble.h"
 #include "constraint.h"
+#include "damping.h"
 #include "load.h"
+#include "mass.h"
 #include "numbering.h"
 #include "solution.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <stdio.h>
@@ -26,9 +29,16 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
     double *r = hobe_alloc(3 * (size_t)model->vectors, sizeof *r, err);
     if (!r)
         return HOBE_NO_MEMORY;
+    const struct instant instant = solution_instant(solution);
     assemble(model, solution->u, r, NULL);
-    constraint_add(model, solution->u, &AT_REST, r, NULL);
-    load_subtract(model, solution->u, &AT_REST, solution->info.load, r, NULL);
+    constraint_add(model, solution->u, &instant, r, NULL);
+    spring_add(model, solution->u, &instant, r, NULL);
+    damping_add(model, solution->u, &instant, r, NULL);
+    load_subtract(model, solution->u, &instant, solution->info.load, r, NULL);
+    if (solution->v) {
+        damping_add(model, solution->u, &instant, r, NULL);
+        mass_force(model, 1, solution->w, r);
+    }
     for (int v = 0; v < beam->kernel->vectors; v++) {
         const struct hobe_vector *is = beam->kernel->vector + v;
         const long number = model_vector(model, beam, e, v);
@@ -41,7 +51,16 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
                 is->mode || is->slope ? couple[a] : r[3 * number + a];
     }
     hobe_free(r);
-    return HOBE_OK;
+    return model_failure(model, err);
+}
+
+static enum hobe_status from_tie(const hobe_solution *solution, const struct tie *tie,
+                                 struct hobe_reaction *reaction, struct hobe_error *err)
+{
+    const struct instant instant = solution_instant(solution);
+    const enum hobe_status status =
+        tie_reaction(tie, solution->u, &instant, reaction->force, reaction->moment, err);
+    return status ? status : tie_power(tie, solution->u, &instant, &reaction->power, err);
 }
 
 static enum hobe_status fail_unknown(const hobe_model *model, const char *name,
@@ -74,9 +93,7 @@ enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const cha
             return from_clamp(solution, clamp, reaction, err);
     }
     for (size_t i = 0; i < model->ties.count; i++)
-        if (is_called(model_tie(model, i)->name, name)) {
-            tie_reaction(model_tie(model, i), solution->u, reaction->force, reaction->moment);
-            return HOBE_OK;
-        }
+        if (is_called(model_tie(model, i)->name, name))
+            return from_tie(solution, model_tie(model, i), reaction, err);
     return fail_unknown(model, name, err);
 }

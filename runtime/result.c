@@ -11,6 +11,52 @@
 
 enum { TWIST_STEPS = 8 }; /* of an element, between which less than a quarter of a turn is taken */
 
+/* ---- states --------------------------------------------------------------------------------- */
+
+/* *copy = a field in which joined vectors move together. */
+static enum hobe_status copy_field(const hobe_model *model, const double *field, double **copy,
+                                   struct hobe_error *err)
+{
+    if (!field)
+        return HOBE_OK;
+    *copy = hobe_alloc((size_t)(3 * model->vectors), sizeof **copy, err);
+    for (long v = 0; *copy && v < model->vectors; v++)
+        memcpy(*copy + 3 * v, field + 3 * model->alias[v], 3 * sizeof *field);
+    return *copy ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+hobe_solution *solution_new(const hobe_model *model, const double *u, const double *v,
+                            const double *w, const struct hobe_solution_info *info,
+                            struct hobe_error *err)
+{
+    hobe_solution *s = hobe_alloc(1, sizeof *s, err);
+    if (!s)
+        return NULL;
+    *s = (struct hobe_solution){.model = model, .info = *info};
+    if (!copy_field(model, u, &s->u, err) && !copy_field(model, v, &s->v, err) &&
+        !copy_field(model, w, &s->w, err))
+        return s;
+    hobe_solution_free(s);
+    return NULL;
+}
+
+void hobe_solution_free(hobe_solution *solution)
+{
+    if (!solution)
+        return;
+    hobe_free(solution->u);
+    hobe_free(solution->v);
+    hobe_free(solution->w);
+    hobe_free(solution);
+}
+
+void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info)
+{
+    *info = solution->info;
+}
+
+/* ---- volume --------------------------------------------------------------------------------- */
+
 /* The section modes at the places of a section where the volume is watched. */
 static enum hobe_status probe_modes(struct around *p, double phi[HOBE_PROBES][HOBE_MAX_MODES][4],
                                     struct hobe_error *err)
@@ -26,6 +72,16 @@ static enum hobe_status probe_modes(struct around *p, double phi[HOBE_PROBES][HO
     return status;
 }
 
+/* det F at the point of phi: that of dr/d(x,y,z) beside the reference's. */
+static double volume(const struct amplitudes *reference, const struct amplitudes *now, int modes,
+                     const double (*phi)[4])
+{
+    double r[3], G0[3][3], G[3][3];
+    amplitudes_field(reference, modes, phi, r, G0);
+    amplitudes_field(now, modes, phi, r, G);
+    return determinant((const double(*)[3])G) / determinant((const double(*)[3])G0);
+}
+
 /* The least det F over the stations of a beam, where that is less than *smallest. */
 static enum hobe_status smallest_volume(const hobe_model *model, const struct beam *beam,
                                         const double *u, double *smallest, struct hobe_error *err)
@@ -34,6 +90,7 @@ static enum hobe_status smallest_volume(const hobe_model *model, const struct be
     const int varies = hobe_section_varies(section);
     double phi[HOBE_PROBES][HOBE_MAX_MODES][4];
     struct around p;
+    struct amplitudes reference, now;
     for (int e = 0; e < beam->spec.elements; e++) {
         const struct hobe_invariants *inv = hobe_element_invariants(beam_law(beam, e));
         for (int g = 0; g < inv->stations; g++) {
@@ -43,12 +100,13 @@ static enum hobe_status smallest_volume(const hobe_model *model, const struct be
                 varies || (e == 0 && g == 0) ? probe_modes(&p, phi, err) : HOBE_OK;
             if (status)
                 return status;
-            for (int c = 0; c < section->probes; c++) {
-                double F[3][3];
-                memcpy(p.phi, phi[c], sizeof p.phi);
-                around_gradient(&p, F);
-                *smallest = fmin(*smallest, determinant((const double(*)[3])F));
-            }
+            around_amplitudes(&p, p.q0, &reference);
+            for (int i = 0; i < 3 * beam->kernel->vectors; i++)
+                p.u[i] += p.q0[i];
+            around_amplitudes(&p, p.u, &now);
+            for (int c = 0; c < section->probes; c++)
+                *smallest = fmin(*smallest, volume(&reference, &now, beam->kernel->modes,
+                                                   (const double(*)[4])phi[c]));
         }
     }
     return HOBE_OK;
@@ -63,6 +121,8 @@ enum hobe_status solution_smallest_volume(const hobe_model *model, const double 
         status = smallest_volume(model, model_beam(model, i), u, smallest, err);
     return status;
 }
+
+/* ---- places --------------------------------------------------------------------------------- */
 
 /* The rotation vector of the rotation R. */
 static void rotation_vector(const double R[3][3], double w[3])
@@ -129,6 +189,21 @@ enum hobe_status solution_displacement(const hobe_model *model, const double *ve
     if (r0)
         reference(&p, at, y, z, r0);
     return HOBE_OK;
+}
+
+enum hobe_status hobe_solution_velocity(const hobe_solution *solution, const char *beam, double at,
+                                        double y, double z, double velocity[3],
+                                        double acceleration[3], struct hobe_error *err)
+{
+    const int moves = solution->v != NULL;
+    enum hobe_status status = solution_displacement(
+        solution->model, moves ? solution->v : solution->u, beam, at, y, z, NULL, velocity, err);
+    if (!status)
+        status = solution_displacement(solution->model, moves ? solution->w : solution->u, beam, at,
+                                       y, z, NULL, acceleration, err);
+    for (int a = 0; a < 3 && !moves; a++)
+        velocity[a] = acceleration[a] = 0;
+    return status;
 }
 
 const struct body *solution_find_body(const hobe_model *model, const char *name,

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Section forces.  Where two elements meet they are read off the nodal forces: move all that lies
  * beyond by a rigid motion, and no element there does work; what the element before the cut then
- * does at its last node is the work of the loads beyond, less those that act on that element. */
+ * does at its last node is the work of the loads beyond, less those that act on that element.  In
+ * motion -M w is a load, too. */
 #include "assemble.h"
 #include "element.h"
 #include "load.h"
+#include "mass.h"
 #include "solution.h"
 #include "stress.h"
 #include "vector3.h"
@@ -83,7 +85,11 @@ static enum hobe_status from_forces(const hobe_solution *solution, const struct 
     enum hobe_status status =
         loads ? assemble_element(model, beam, e, solution->u, f, err) : HOBE_NO_MEMORY;
     if (!status) {
-        load_inside(model, solution->u, solution->info.load, beam, e, loads);
+        const struct instant instant = solution_instant(solution);
+        load_inside(model, solution->u, &instant, solution->info.load, beam, e, loads);
+        if (solution->w)
+            mass_element_force(model, beam, e, MASS_ISOTROPIC(-1), solution->w, loads);
+        status = model_failure(model, err);
         for (int v = 0; v < p->kernel->vectors; v++)
             for (int a = 0; a < 3; a++) {
                 const double load = loads[3 * model_vector(model, beam, e, v) + a];

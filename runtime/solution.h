@@ -7,9 +7,24 @@
 
 struct hobe_solution {
     const hobe_model *model;
-    double *u; /* [vectors][3] displacements of the nodal vectors */
+    double *u;     /* [vectors][3] displacements of the nodal vectors, and multipliers */
+    double *v, *w; /* [vectors][3] velocities and accelerations; NULL of equilibria */
     struct hobe_solution_info info;
 };
+
+/* When a state is, for its constraints and loads; NULL: the reference, where nothing is driven yet.
+ */
+static inline struct instant solution_instant(const struct hobe_solution *state)
+{
+    return state ? (struct instant){.time = state->info.time, .v = state->v}
+                 : (struct instant){.held_back = 1};
+}
+
+/* A state with copies of the fields [vectors][3], those of joined vectors spread; v and w NULL: an
+ * equilibrium.  NULL with err set. */
+hobe_solution *solution_new(const hobe_model *model, const double *u, const double *v,
+                            const double *w, const struct hobe_solution_info *info,
+                            struct hobe_error *err);
 
 /* *smallest = min det F over the stations of all elements and the corners and centre of their
  * sections: the deformation has turned inside out where it is not positive. */

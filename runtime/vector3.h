@@ -30,6 +30,13 @@ static inline void cross3(const double a[3], const double b[3], double c[3])
         c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
+/* B = factor A */
+static inline void times3(double factor, const double A[3][3], double B[3][3])
+{
+    for (int i = 0; i < 9; i++)
+        B[i / 3][i % 3] = factor * A[i / 3][i % 3];
+}
+
 /* t[0] = axis/|axis| and two more that make a right-handed triad with it, rows. */
 static inline void triad3(const double axis[3], double t[3][3])
 {

@@ -93,30 +93,18 @@ static void random_rotation(double R[3][3])
  */
 static void turn_rigidly(const hobe_model *model, double *u, double *v)
 {
-    double w[3], R[3][3], q[3];
+    double w[3], R[3][3], q[3], *q0 = field_on(model);
     random_rotation(R);
     random_direction(w);
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        for (int k = 0; k < beam->spec.elements * beam->kernel->vectors; k++) {
-            const int e = k / beam->kernel->vectors;
-            const struct hobe_vector *is = beam->kernel->vector + k % beam->kernel->vectors;
-            const long n = 3 * model_vector(model, beam, e, k % beam->kernel->vectors);
-            for (int a = 0; a < 3; a++) {
-                const double from = beam->origin
-                                        ? beam->origin[e][a]
-                                        : beam->end[0][a] + (beam->end[1][a] - beam->end[0][a]) *
-                                                                e / beam->spec.elements;
-                q[a] = beam_q0(beam, e)[3 * (k % beam->kernel->vectors) + a] +
-                       (is->mode == 0 && !is->slope ? from : 0);
-            }
-            for (int a = 0; a < 3; a++)
-                u[n + a] = dot3(R[a], q) - q[a];
-            for (int a = 0; a < 3; a++)
-                q[a] += u[n + a];
-            cross3(w, q, v + n);
+    model_reference(model, q0);
+    for (long n = 0; n < 3 * model->vectors; n += 3) {
+        for (int a = 0; a < 3; a++) {
+            q[a] = dot3(R[a], q0 + n);
+            u[n + a] = q[a] - q0[n + a];
         }
+        cross3(w, q, v + n);
     }
+    hobe_free(q0);
 }
 
 /* ---- checks ---------------------------------------------------------------------------------- */
@@ -124,7 +112,7 @@ static void turn_rigidly(const hobe_model *model, double *u, double *v)
 static void force(const hobe_model *model, const double *u, const double *v, double *f)
 {
     memset(f, 0, 3 * (size_t)model->vectors * sizeof *f);
-    damping_add(model, u, &(struct instant){0, v, 0}, f, NULL);
+    damping_add(model, u, &(struct instant){.v = v}, f, NULL);
 }
 
 /* Rotating rigidly there is no viscous force, which is measured by that of a random motion as fast.
@@ -178,7 +166,7 @@ static double *state;
 static void by_velocities(const hobe_model *model, const double *v, double *r,
                           const struct matrix *K)
 {
-    damping_add(model, state, &(struct instant){0, v, 1}, r, K);
+    damping_add(model, state, &(struct instant){.v = v, .rate = 1}, r, K);
 }
 
 static void check_matrix(const char *element, struct hobe_damping damping,
@@ -202,7 +190,7 @@ static void check_rest(const char *element, const hobe_section *section, const h
     if (pattern_matrix(model, FRONTS, &C, NULL) || pattern_matrix(model, FRONTS, &K, NULL) ||
         pattern_matrix(model, FRONTS, &M, NULL))
         check_stop("out of memory");
-    damping_add(model, u, &(struct instant){0, u, rate}, f, &C);
+    damping_add(model, u, &(struct instant){.v = u, .rate = rate}, f, &C);
     assemble(model, u, f, &K);
     mass_matrix(model, ALPHA, &M);
     for (size_t i = 0; i < fronts_size(model->fronts); i++) {

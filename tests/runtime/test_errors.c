@@ -171,10 +171,10 @@ static void bad_at(double at, const char *words)
     const struct hobe_clamp clamp = {TAG, "beam", NULL, at, 0};
     refused(hobe_model_clamp(model, &clamp, &err), HOBE_BAD_INPUT, &err, TAG, words);
     err = fresh();
-    const struct hobe_force force = {TAG, "beam", at, {1, 2, 3}, 0};
+    const struct hobe_force force = {.where = TAG, .beam = "beam", .at = at, .value = {1, 2, 3}};
     refused(hobe_model_force(model, &force, &err), HOBE_BAD_INPUT, &err, TAG, words);
     err = fresh();
-    const struct hobe_moment moment = {TAG, "beam", at, {1, 2, 3}};
+    const struct hobe_moment moment = {.where = TAG, .beam = "beam", .at = at, .value = {1, 2, 3}};
     refused(hobe_model_moment(model, &moment, &err), HOBE_BAD_INPUT, &err, TAG, words);
     hobe_model_free(model);
 }
@@ -187,11 +187,13 @@ static void not_finite(void)
         double v[3] = {0};
         v[a] = a ? NAN : INFINITY;
         struct hobe_error err = fresh();
-        const struct hobe_force force = {TAG, "beam", 1, {v[0], v[1], v[2]}, a % 2};
+        const struct hobe_force force = {
+            .where = TAG, .beam = "beam", .at = 1, .value = {v[0], v[1], v[2]}, .follower = a % 2};
         refused(hobe_model_force(model, &force, &err), HOBE_BAD_INPUT, &err, TAG,
                 "force must be finite");
         err = fresh();
-        const struct hobe_moment moment = {TAG, "beam", 1, {v[0], v[1], v[2]}};
+        const struct hobe_moment moment = {
+            .where = TAG, .beam = "beam", .at = 1, .value = {v[0], v[1], v[2]}};
         refused(hobe_model_moment(model, &moment, &err), HOBE_BAD_INPUT, &err, TAG,
                 "moment must be finite");
         err = fresh();
@@ -245,13 +247,19 @@ static void unknown_beams(void)
     hobe_model_clamp(model, &(struct hobe_clamp){TAG, "baem", NULL, 0, 0}, &err);
     bad_scene(model, HOBE_UNKNOWN, "no beam \"baem\" in the scene; beams are: \"beam\"");
     model = good_scene();
-    hobe_model_force(model, &(struct hobe_force){TAG, "tip", 0, {1, 0, 0}, 0}, &err);
+    hobe_model_force(model,
+                     &(struct hobe_force){.where = TAG, .beam = "tip", .at = 0, .value = {1, 0, 0}},
+                     &err);
     bad_scene(model, HOBE_UNKNOWN, "no beam \"tip\"");
     model = good_scene();
-    hobe_model_force(model, &(struct hobe_force){TAG, "top", 0, {1, 0, 0}, 1}, &err);
+    hobe_model_force(model,
+                     &(struct hobe_force){
+                         .where = TAG, .beam = "top", .at = 0, .value = {1, 0, 0}, .follower = 1},
+                     &err);
     bad_scene(model, HOBE_UNKNOWN, "no beam \"top\"");
     model = good_scene();
-    hobe_model_moment(model, &(struct hobe_moment){TAG, "", 0, {1, 0, 0}}, &err);
+    hobe_model_moment(
+        model, &(struct hobe_moment){.where = TAG, .beam = "", .at = 0, .value = {1, 0, 0}}, &err);
     bad_scene(model, HOBE_UNKNOWN, "no beam \"\"");
     for (int i = 0; i < 2; i++) {
         model = good_scene();
@@ -408,8 +416,12 @@ static void too_late(int fails)
     const enum hobe_status status[6] = {
         hobe_model_beam(model, &other, err),
         hobe_model_clamp(model, &(struct hobe_clamp){TAG, "beam", NULL, 0, 0}, err + 1),
-        hobe_model_force(model, &(struct hobe_force){TAG, "beam", 0, {0}, 0}, err + 2),
-        hobe_model_moment(model, &(struct hobe_moment){TAG, "beam", 0, {0}}, err + 3),
+        hobe_model_force(model,
+                         &(struct hobe_force){.where = TAG, .beam = "beam", .at = 0, .value = {0}},
+                         err + 2),
+        hobe_model_moment(
+            model, &(struct hobe_moment){.where = TAG, .beam = "beam", .at = 0, .value = {0}},
+            err + 3),
         hobe_model_join(model, &(struct hobe_join){TAG, {"beam", "other"}, {1, 0}}, err + 4),
         hobe_model_gravity(model, TAG, (const double[3]){0, 0, -9.81}, err + 5),
     };

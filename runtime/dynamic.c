@@ -1,0 +1,397 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Motion in time: where it starts, which steps it takes, what is kept of it. */
+#include "constraint.h"
+#include "history.h"
+#include "mass.h"
+#include "solution.h"
+#include "vector3.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The velocities of the start may be mended by so much, relatively. */
+static const double MENDED = 1e-6;
+
+/* A step is tried again where its error is too large, and the next one grows where the error allows
+ * a step longer by this at least: each change costs factors. */
+static const double SAFETY = 0.9, SHRINK = 0.3, GROW = 1.5, MOST_GROWTH = 2;
+
+/* Steps of one length at least before it grows. */
+enum { PATIENCE = 3 };
+
+/* Accelerations that grow so much within a step, and move the scene by more than the accuracy, or
+ * by this share of its size where the step is fixed, are the step's, not the motion's. */
+static const double LEAP = 3, FAR = 0.01;
+
+/* The first step of an accurate motion is this share of the time at most. */
+static const double FIRST_STEP = 1e-3, SMALLEST_STEP = 1e-9;
+
+struct run {
+    struct genalpha g;
+    struct hobe_dynamic options;
+    struct account account;
+    hobe_history *history;
+    double wanted;  /* longest step now, s */
+    double error;   /* of the last step, relative */
+    double started; /* on the clock */
+};
+
+/* ---- the start ------------------------------------------------------------------------------ */
+
+/* v = the rigid motion of a vector at q; positions move with the point `about`. */
+static void move_rigidly(const struct hobe_motion *m, int position, const double q[3], double v[3])
+{
+    double arm[3];
+    for (int a = 0; a < 3; a++)
+        arm[a] = q[a] - (position ? m->about[a] : 0);
+    cross3(m->angular_velocity, arm, v);
+    for (int a = 0; a < 3 && position; a++)
+        v[a] += m->velocity[a];
+}
+
+/* Sets the velocities of a beam's vectors, of which those that are held have none. */
+static enum hobe_status set_velocities(struct genalpha *g, const struct hobe_motion *m,
+                                       const struct beam *beam, const double *q,
+                                       struct hobe_error *err)
+{
+    const hobe_model *model = g->s.model;
+    for (int e = 0; e < beam->spec.elements; e++)
+        for (int v = 0; v < beam->kernel->vectors; v++) {
+            const struct hobe_vector *is = beam->kernel->vector + v;
+            const long number = model_vector(model, beam, e, v);
+            double *to = g->now.v + 3 * number;
+            move_rigidly(m, is->mode == 0 && !is->slope, q + 3 * number, to);
+            if (model->held[number] && length3(to) > 0)
+                return hobe_fail(err, HOBE_BAD_INPUT, m->where,
+                                 "beam \"%s\" is clamped at %.4g and cannot start with the "
+                                 "velocity {%g, %g, %g} there",
+                                 beam->name,
+                                 (e + beam->kernel->node[is->node]) / beam->spec.elements, to[0],
+                                 to[1], to[2]);
+        }
+    return HOBE_OK;
+}
+
+static enum hobe_status set_motions(struct genalpha *g, struct hobe_error *err)
+{
+    const hobe_model *model = g->s.model;
+    double *q = g->w;
+    enum hobe_status status = HOBE_OK;
+    model_reference(model, q);
+    for (long i = 0; i < 3 * model->moving; i++)
+        q[i] += g->now.u[i];
+    for (size_t i = 0; !status && i < model->motions.count; i++) {
+        const struct hobe_motion *m = (const struct hobe_motion *)model->motions.item + i;
+        const struct beam *only = m->beam ? model_find_beam(model, m->beam, m->where, err) : NULL;
+        if (m->beam && !only)
+            return HOBE_UNKNOWN;
+        for (size_t b = 0; !status && b < model->beams.count; b++)
+            if (!only || only == model_beam(model, b))
+                status = set_velocities(g, m, model_beam(model, b), q, err);
+    }
+    return status;
+}
+
+static enum hobe_status take_start(struct run *run, const hobe_solution *from,
+                                   struct hobe_error *err)
+{
+    struct genalpha_state *now = &run->g.now;
+    const size_t size = (size_t)(3 * from->model->vectors) * sizeof *now->u;
+    if (from->model != run->g.s.model)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "the state to start from belongs to another "
+                         "scene");
+    memcpy(now->u, from->u, size);
+    now->time = from->info.time;
+    if (!from->v)
+        return set_motions(&run->g, err);
+    memcpy(now->v, from->v, size);
+    return HOBE_OK;
+}
+
+static enum hobe_status find_start(struct run *run, struct hobe_error *err)
+{
+    hobe_solution *found = NULL;
+    if (run->options.start)
+        return take_start(run, run->options.start, err);
+    if (!run->options.equilibrium)
+        return set_motions(&run->g, err);
+    enum hobe_status status = hobe_static(run->g.s.model, &(struct hobe_newton){0}, &found, err);
+    if (!status)
+        status = take_start(run, found, err);
+    hobe_solution_free(found);
+    return status;
+}
+
+/* The constraint that velocities break most, said with what they are. */
+static enum hobe_status fail_velocities(struct genalpha *g, const double *rate, int at_rest,
+                                        struct hobe_error *err)
+{
+    const hobe_model *model = g->s.model;
+    const struct tie *worst = NULL;
+    double largest = 0;
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        for (int k = 0; k < tie->constraints; k++)
+            if (fabs(rate[3 * tie->multiplier + k]) > largest) {
+                largest = fabs(rate[3 * tie->multiplier + k]);
+                worst = tie;
+            }
+    }
+    return hobe_fail(err, HOBE_BAD_INPUT, worst ? worst->where : NULL,
+                     at_rest ? "a drive with a jump: the joint%s%s%s starts with the speed %g (m/s "
+                               "or rad/s) while all is at rest; let it start from rest, or give "
+                               "velocities that fit by hobe.motion"
+                             : "the velocities of the start break the joint%s%s%s by %g (m/s or "
+                               "rad/s); give such as fit it by hobe.motion",
+                     worst && worst->name ? " \"" : "", worst && worst->name ? worst->name : "",
+                     worst && worst->name ? "\"" : "", largest);
+}
+
+/* The state at the start: its velocities fit the constraints, or nearly, and are made to. */
+static enum hobe_status begin(struct run *run, struct hobe_error *err)
+{
+    struct genalpha *g = &run->g;
+    double *rate = g->a, changed;
+    enum hobe_status status = find_start(run, err);
+    if (status)
+        return status;
+    if (!(run->options.to > g->now.time))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "the motion must end after its start at t = %g s, got to = %g",
+                         g->now.time, run->options.to);
+    g->now.begin = g->now.time;
+    const double speed = genalpha_norm(g, g->now.v);
+    status = settle(g, &changed, err);
+    if (status)
+        return status;
+    if (changed > MENDED * speed) {
+        for (long i = 0; i < 3 * g->s.model->moving; i++)
+            g->now.v[i] -= g->w[i];
+        settle_rate(g, &g->now, g->s.u, g->force, rate);
+        return fail_velocities(g, rate, speed == 0, err);
+    }
+    account_begin(&run->account, g);
+    return history_keep(run->history, g, &run->account, run->started, err);
+}
+
+/* ---- steps ---------------------------------------------------------------------------------- */
+
+static void log_step(const struct run *run, const char *note)
+{
+    const struct genalpha *g = &run->g;
+    if (run->options.log)
+        run->options.log(run->options.context,
+                         &(struct hobe_time_step){.step = run->history->info.steps,
+                                                  .time = g->now.time,
+                                                  .size = g->now.step,
+                                                  .iterations = g->iterations,
+                                                  .error = run->error,
+                                                  .note = note});
+}
+
+/* Sets the step, and what belongs to it where it differs from the last. */
+static enum hobe_status choose_step(struct run *run, double target, int kink,
+                                    struct hobe_error *err)
+{
+    struct genalpha *g = &run->g;
+    const double last = g->now.step;
+    double changed;
+    const int differs = genalpha_choose_step(g, target, run->wanted);
+    if (last == 0 || !(differs || kink))
+        return HOBE_OK;
+    const enum hobe_status status = settle(g, &changed, err);
+    account_begin(&run->account, g);
+    return status;
+}
+
+static enum hobe_status give_up(const struct run *run, struct hobe_error *err)
+{
+    const struct genalpha *g = &run->g;
+    const int fixed = !(run->options.accuracy > 0);
+    return hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
+                     "no motion was found beyond t = %g s: in a step of %g s %s; %s", g->now.time,
+                     g->now.step, g->reason,
+                     fixed ? "take a smaller step, or give an accuracy that chooses the steps"
+                           : "smaller steps were given up: is the motion smooth, is a smaller rho "
+                             "or a finer mesh needed?");
+}
+
+/* Whether the step that was found is good: its accelerations did not leap, and it is accurate. */
+static enum outcome judge(struct run *run)
+{
+    struct genalpha *g = &run->g;
+    const double h = g->now.step, accuracy = run->options.accuracy;
+    const double before = genalpha_norm(g, g->now.w), after = genalpha_norm(g, g->w);
+    run->error = accuracy > 0 ? genalpha_error(g) / g->size : NAN;
+    g->reason = NULL;
+    if (!(after <= LEAP * before) && !(h * h * after <= (accuracy > 0 ? accuracy : FAR) * g->size))
+        g->reason = "the accelerations grew to more than three times what they were";
+    else if (run->error > accuracy)
+        g->reason = "the error was too large";
+    return g->reason ? FAILED : CONVERGED;
+}
+
+/* What the error says of the next step, relative to the last. */
+static double growth(const struct run *run)
+{
+    return SAFETY * cbrt(run->options.accuracy / fmax(run->error, 1e-300));
+}
+
+/* Tries steps until one is good, and takes it. */
+static enum hobe_status advance(struct run *run, double target, struct hobe_error *err)
+{
+    struct genalpha *g = &run->g;
+    for (;;) {
+        run->error = NAN;
+        enum outcome outcome = genalpha_step(g, err);
+        if (outcome == CONVERGED)
+            outcome = judge(run);
+        if (outcome == ERROR)
+            return err ? err->status : HOBE_NO_MEMORY;
+        if (outcome == CONVERGED)
+            return HOBE_OK;
+        log_step(run, g->reason);
+        run->history->info.rejected++;
+        run->wanted =
+            g->now.step *
+            (run->error > run->options.accuracy ? fmin(0.8, fmax(SHRINK, growth(run))) : SHRINK);
+        if (!(run->options.accuracy > 0) || run->wanted < run->options.smallest_step)
+            return give_up(run, err);
+        const enum hobe_status status = choose_step(run, target, 1, err);
+        if (status)
+            return status;
+    }
+}
+
+/* Takes the step that was found. */
+static void take(struct run *run, double target)
+{
+    struct genalpha *g = &run->g;
+    struct hobe_history_info *info = &run->history->info;
+    account_step(&run->account, g);
+    genalpha_accept(g);
+    if (fabs(target - g->now.time) < 1e-6 * g->now.step)
+        g->now.time = target;
+    info->steps++;
+    info->smallest_step = info->steps == 1 ? g->now.step : fmin(info->smallest_step, g->now.step);
+    info->largest_step = fmax(info->largest_step, g->now.step);
+    log_step(run, "");
+}
+
+/* Lets the step grow where the error allows it. */
+static enum hobe_status grow(struct run *run, double target, struct hobe_error *err)
+{
+    const struct genalpha_state *now = &run->g.now;
+    const double longest = run->options.step > 0 ? run->options.step : INFINITY;
+    const double factor = fmin(MOST_GROWTH, growth(run));
+    if (!(run->options.accuracy > 0) || now->taken < PATIENCE || factor < GROW ||
+        now->time >= target || now->step * GROW > fmin(longest, target - now->time))
+        return HOBE_OK;
+    run->wanted = fmin(longest, now->step * factor);
+    return choose_step(run, target, 0, err);
+}
+
+/* The next time at which a step must end after t. */
+static double next_stop(const struct run *run, double t, double *store)
+{
+    const double every = run->options.store;
+    if (every > 0 && !(*store > t))
+        *store += every * ceil((t - *store) / every + 1e-9);
+    return fmin(run->options.to, every > 0 ? *store : INFINITY);
+}
+
+static enum hobe_status move(struct run *run, struct hobe_error *err)
+{
+    struct genalpha_state *now = &run->g.now;
+    double store = now->time;
+    while (now->time < run->options.to) {
+        const double target = next_stop(run, now->time, &store);
+        enum hobe_status status = choose_step(run, target, 0, err);
+        while (!status && now->time < target) {
+            status = advance(run, target, err);
+            if (status)
+                return status;
+            take(run, target);
+            if (!(run->options.store > 0) || now->time == store || now->time == run->options.to)
+                status = history_keep(run->history, &run->g, &run->account, run->started, err);
+            if (!status)
+                status = grow(run, target, err);
+        }
+        if (status)
+            return status;
+    }
+    return HOBE_OK;
+}
+
+/* ---- the verb ------------------------------------------------------------------------------- */
+
+static enum hobe_status check_options(const struct hobe_dynamic *o, struct hobe_error *err)
+{
+    if (!(o->step > 0) && !(o->accuracy > 0))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a motion needs step (s), or accuracy, relative to the scene's size, that "
+                         "chooses the steps");
+    if (!isfinite(o->to) || !isfinite(o->step) || !(o->rho <= 1))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a motion needs a finite end and step, and rho up to 1, got %g, %g and %g",
+                         o->to, o->step, o->rho);
+    return HOBE_OK;
+}
+
+static void set_defaults(struct run *run)
+{
+    struct hobe_dynamic *o = &run->options;
+    const struct genalpha *g = &run->g;
+    const double time = o->to - g->now.time, w = genalpha_norm(g, g->now.w);
+    if (!(o->smallest_step > 0))
+        o->smallest_step = SMALLEST_STEP * time;
+    run->wanted = o->step > 0 ? o->step : FIRST_STEP * time;
+    if (o->accuracy > 0 && w > 0)
+        run->wanted = fmin(run->wanted, sqrt(o->accuracy * g->size / w));
+}
+
+static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_error *err)
+{
+    enum hobe_status status = genalpha_open(&run->g, model, &run->options, err);
+    if (!status)
+        status = account_open(&run->account, model, err);
+    if (status)
+        return status;
+    run->history = hobe_alloc(1, sizeof *run->history, err);
+    if (!run->history)
+        return HOBE_NO_MEMORY;
+    status = begin(run, err);
+    if (status)
+        return status;
+    set_defaults(run);
+    status = move(run, err);
+    run->history->info.time = run->g.now.time;
+    run->history->info.iterations = run->g.s.info.iterations;
+    run->history->info.factorisations = run->g.s.info.factorisations;
+    run->history->info.seconds = hobe_seconds() - run->started;
+    return status;
+}
+
+enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *options,
+                              hobe_history **history, struct hobe_error *err)
+{
+    struct run run = {.options = *options};
+    *history = NULL;
+    enum hobe_status status = check_options(options, err);
+    if (!status)
+        status = hobe_model_build(model, err);
+    if (!status)
+        status = mass_check(model, "motion in time", err);
+    if (status)
+        return status;
+    run.started = hobe_seconds();
+    status = run_all(&run, model, err);
+    if (status)
+        hobe_history_free(run.history);
+    else
+        *history = run.history;
+    account_close(&run.account);
+    genalpha_close(&run.g);
+    return status;
+}

@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "genalpha.h"
+
+#include "constraint.h"
+#include "mass.h"
+#include "pattern.h"
+#include "vector3.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { DEFAULT_ITERATIONS = 10 };
+
+static const double DEFAULT_TOLERANCE = 1e-9, DEFAULT_RHO = 0.8;
+
+/* The constraints hold to this at the end of each step, weighed. */
+static const double CLOSED = 1e-10;
+
+/* The residual moves by |D K eps u| when u is rounded, and by what multipliers are. */
+static const double ROUND_OFF = 8 * DBL_EPSILON;
+
+/* A residual so much larger than the first of its step has left. */
+static const double DIVERGED = 1e6;
+
+/* Factors cost about as much as so many iterations with those at hand: a step that would need more
+ * makes new ones. */
+static const double WORTH = 4;
+
+/* ---- memory --------------------------------------------------------------------------------- */
+
+static void set_parameters(struct genalpha *g, double rho)
+{
+    g->am = (2 * rho - 1) / (rho + 1);
+    g->af = rho / (rho + 1);
+    g->gamma = 0.5 + g->af - g->am;
+    g->beta = (g->gamma + 0.5) * (g->gamma + 0.5) / 4;
+}
+
+/* Constraints without `turn` are lengths. */
+static void set_weights(struct genalpha *g)
+{
+    const hobe_model *model = g->s.model;
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        for (int k = 0; k < tie->constraints; k++) {
+            int turns = 0;
+            for (int j = 0; j < 9; j++)
+                turns |= tie->constraint[k].turn[j / 3][j % 3] != 0;
+            g->weight[3 * tie->multiplier + k] = turns ? 1 : 1 / g->size;
+        }
+    }
+}
+
+/* The mass and the radius of gyration about the mass centre, sections included, of the reference.
+ */
+static void measure(struct genalpha *g)
+{
+    const hobe_model *model = g->s.model;
+    double *q = g->v, *one = g->w;
+    model_reference(model, q);
+    mass_translation(model, 0, one);
+    g->mass = mass_product(model, one, one);
+    for (int a = 0; a < 3; a++) {
+        mass_translation(model, a, one);
+        const double centre = mass_product(model, q, one) / g->mass;
+        for (long i = a; i < 3 * model->vectors; i += 3)
+            q[i] -= centre * one[i];
+    }
+    g->size = genalpha_norm(g, q);
+    memset(q, 0, (size_t)(3 * model->vectors) * sizeof *q);
+    memset(one, 0, (size_t)(3 * model->vectors) * sizeof *one);
+}
+
+enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
+                               const struct hobe_dynamic *options, struct hobe_error *err)
+{
+    *g = (struct genalpha){.tolerance =
+                               options->tolerance > 0 ? options->tolerance : DEFAULT_TOLERANCE,
+                           .max_iterations = options->max_iterations > 0 ? options->max_iterations
+                                                                         : DEFAULT_ITERATIONS};
+    set_parameters(g, options->rho > 0 ? options->rho : DEFAULT_RHO);
+    enum hobe_status status = solver_open(&g->s, model, &(struct hobe_newton){0}, err);
+    if (status)
+        return status;
+    double **field[] = {&g->now.u, &g->now.v, &g->now.w, &g->now.a, &g->v,
+                        &g->w,     &g->a,     &g->force, &g->weight};
+    for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
+        *field[i] = hobe_alloc((size_t)(3 * model->vectors), sizeof(double), err);
+        if (!*field[i])
+            return HOBE_NO_MEMORY;
+    }
+    measure(g);
+    set_weights(g);
+    return HOBE_OK;
+}
+
+void genalpha_close(struct genalpha *g)
+{
+    double *const field[] = {g->now.u, g->now.v, g->now.w, g->now.a, g->v,
+                             g->w,     g->a,     g->force, g->weight};
+    for (size_t i = 0; i < sizeof field / sizeof *field; i++)
+        hobe_free(field[i]);
+    solver_close(&g->s);
+}
+
+/* ---- measures ------------------------------------------------------------------------------- */
+
+double genalpha_violation(const struct genalpha *g, const double *r)
+{
+    double largest = 0;
+    for (long i = 3 * g->s.model->moving; i < 3 * g->s.model->vectors; i++)
+        largest = fmax(largest, g->weight[i] * fabs(r[i]));
+    return largest;
+}
+
+double genalpha_norm(const struct genalpha *g, const double *x)
+{
+    return sqrt(fmax(0, mass_product(g->s.model, x, x)) / g->mass);
+}
+
+double genalpha_error(struct genalpha *g)
+{
+    const double h = g->now.step, share = fabs(g->beta + (g->am - g->af) / 2 - 1.0 / 6);
+    for (long i = 0; i < 3 * g->s.model->moving; i++)
+        g->force[i] = g->a[i] - g->now.a[i];
+    return share * h * h * genalpha_norm(g, g->force);
+}
+
+/* ---- one step ------------------------------------------------------------------------------- */
+
+int genalpha_choose_step(struct genalpha *g, double target, double longest)
+{
+    struct genalpha_state *now = &g->now;
+    const double last = now->step, remaining = target - now->time;
+    now->step = remaining / ceil(remaining / longest - 1e-9);
+    now->begin = now->time;
+    now->taken = 0;
+    const int changed = !(fabs(now->step - last) <= 1e-6 * last);
+    g->factored &= !changed;
+    return changed;
+}
+
+void genalpha_forget(struct genalpha *g)
+{
+    g->factored = 0;
+}
+
+/* Constant accelerations and multipliers. */
+static void predict(struct genalpha *g)
+{
+    const struct genalpha_state *now = &g->now;
+    const double h = now->step, beta = g->beta, gamma = g->gamma;
+    memcpy(g->s.u, now->u, (size_t)(3 * g->s.model->vectors) * sizeof *g->s.u);
+    for (long i = 0; i < 3 * g->s.model->moving; i++) {
+        const double a = now->a[i];
+        g->w[i] = now->w[i];
+        g->a[i] = (now->w[i] - g->am * a) / (1 - g->am);
+        g->v[i] = now->v[i] + h * ((1 - gamma) * a + gamma * g->a[i]);
+        g->s.u[i] += h * now->v[i] + h * h * ((0.5 - beta) * a + beta * g->a[i]);
+    }
+}
+
+/* The residual at the state that is being found, and the Newton matrix with its scale if asked. */
+static void evaluate(struct genalpha *g, enum tangent tangent)
+{
+    struct solver *s = &g->s;
+    memset(g->force, 0, (size_t)(3 * s->model->vectors) * sizeof *g->force);
+    mass_force(s->model, 1, g->w, g->force);
+    solver_evaluate(s, 1, tangent);
+    if (tangent)
+        pattern_scale(s->model, &s->K, s->scale);
+}
+
+/* What the residual is small beside: the forces of inertia, of dead loads and of constraints; and
+ * what rounding leaves of it. */
+static double goal(const struct genalpha *g)
+{
+    const struct solver *s = &g->s;
+    const hobe_model *model = s->model;
+    double held = 0;
+    for (long v = model->moving; v < model->vectors; v++)
+        for (int a = 0; a < 3 && model->unknown[v] >= 0; a++) {
+            const double force = s->u[3 * v + a] / s->scale[3 * model->unknown[v] + a];
+            held += force * force;
+        }
+    const double forces = solver_norm(s, g->force, 1) + solver_norm(s, model->dead, 1) + sqrt(held);
+    return fmax(g->tolerance * forces, ROUND_OFF * solver_norm(s, s->u, -1));
+}
+
+/* Takes the correction x. */
+static void move(struct genalpha *g)
+{
+    struct solver *s = &g->s;
+    const hobe_model *model = s->model;
+    const struct motion *m = &s->motion;
+    const double curvature = 1 / (g->now.step * g->now.step * g->beta);
+    solver_move(s, s->x, 1);
+    for (long v = 0; v < model->moving; v++)
+        for (int a = 0; a < 3 && model->unknown[v] >= 0; a++) {
+            const double x = s->x[3 * model->unknown[v] + a];
+            g->v[3 * v + a] += m->instant.rate * x;
+            g->w[3 * v + a] += m->inertia * x;
+            g->a[3 * v + a] += curvature * x;
+        }
+}
+
+/* Whether the factors at hand take too many iterations more. */
+static int too_slow(double norm, double last_norm, double goal)
+{
+    const double rate = norm / last_norm;
+    return !(rate < 0.5) || log(goal / norm) / log(rate) > WORTH;
+}
+
+static enum outcome fail(struct genalpha *g, const char *reason)
+{
+    g->reason = reason;
+    g->factored = 0;
+    return FAILED;
+}
+
+static enum outcome correct(struct genalpha *g, struct hobe_error *err)
+{
+    struct solver *s = &g->s;
+    const enum outcome outcome = g->factored ? CONVERGED : solver_factor(s, err);
+    if (outcome == FAILED)
+        return fail(g, "its equations are singular");
+    if (outcome == ERROR || solver_solve(s, s->r, -1, s->x, err))
+        return ERROR;
+    g->factored = 1;
+    move(g);
+    return CONVERGED;
+}
+
+static enum outcome iterate(struct genalpha *g, struct hobe_error *err)
+{
+    struct solver *s = &g->s;
+    double first = 0, last = INFINITY;
+    for (g->iterations = 0; g->iterations <= g->max_iterations; g->iterations++) {
+        evaluate(g, g->factored ? NO_TANGENT : TRUE_TANGENT);
+        double norm = solver_norm(s, s->r, 1);
+        const double wanted = goal(g);
+        first = g->iterations ? first : fmax(norm, wanted);
+        if (norm <= wanted && genalpha_violation(g, s->r) <= CLOSED)
+            return CONVERGED;
+        if (!(norm <= DIVERGED * first))
+            return fail(g, "Newton's iteration diverges");
+        if (g->factored && g->iterations && too_slow(norm, last, wanted)) {
+            g->factored = 0;
+            evaluate(g, TRUE_TANGENT);
+            norm = solver_norm(s, s->r, 1);
+        }
+        last = norm;
+        const enum outcome outcome = correct(g, err);
+        if (outcome != CONVERGED)
+            return outcome;
+    }
+    return fail(g, "Newton's iteration takes too long");
+}
+
+enum outcome genalpha_step(struct genalpha *g, struct hobe_error *err)
+{
+    const double h = g->now.step;
+    g->s.motion = (struct motion){
+        .instant = {g->now.begin + (double)(g->now.taken + 1) * h, g->v, g->gamma / (h * g->beta)},
+        .force = g->force,
+        .inertia = (1 - g->am) / ((1 - g->af) * h * h * g->beta)};
+    predict(g);
+    return iterate(g, err);
+}
+
+static void swap(double **a, double **b)
+{
+    double *c = *a;
+    *a = *b;
+    *b = c;
+}
+
+void genalpha_accept(struct genalpha *g)
+{
+    struct genalpha_state *now = &g->now;
+    swap(&now->u, &g->s.u);
+    swap(&now->v, &g->v);
+    swap(&now->w, &g->w);
+    swap(&now->a, &g->a);
+    now->time = g->s.motion.instant.time;
+    now->taken++;
+    g->s.info.iterations += g->iterations;
+    g->s.info.steps++;
+}

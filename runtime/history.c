@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "history.h"
+
+#include "assemble.h"
+#include "constraint.h"
+#include "damping.h"
+#include "load.h"
+#include "mass.h"
+#include "solution.h"
+#include "vector3.h"
+
+#include <string.h>
+
+/* ---- work ----------------------------------------------------------------------------------- */
+
+enum hobe_status account_open(struct account *account, const hobe_model *model,
+                              struct hobe_error *err)
+{
+    const size_t size = (size_t)(3 * model->vectors);
+    *account = (struct account){.Q = hobe_alloc(size, sizeof(double), err),
+                                .Q1 = hobe_alloc(size, sizeof(double), err)};
+    return account->Q && account->Q1 ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+void account_close(struct account *account)
+{
+    hobe_free(account->Q);
+    hobe_free(account->Q1);
+}
+
+static void sum_loads(const hobe_model *model, const double *u, const double *v, double time,
+                      double *Q)
+{
+    const struct instant instant = {time, v, 0, 0};
+    memset(Q, 0, (size_t)(3 * model->vectors) * sizeof *Q);
+    load_subtract(model, u, &instant, -1, Q, NULL);
+}
+
+void account_begin(struct account *account, const struct genalpha *g)
+{
+    sum_loads(g->s.model, g->now.u, g->now.v, g->now.time, account->Q);
+    account->power = damping_power(g->s.model, g->now.u, g->now.v);
+}
+
+void account_step(struct account *account, const struct genalpha *g)
+{
+    const hobe_model *model = g->s.model;
+    const double power = damping_power(model, g->s.u, g->v);
+    double *Q = account->Q;
+    sum_loads(model, g->s.u, g->v, g->s.motion.instant.time, account->Q1);
+    for (long v = 0; v < model->moving; v++)
+        for (int a = 0; a < 3 && model->unknown[v] >= 0; a++) {
+            const long i = 3 * v + a;
+            account->loads += (Q[i] + account->Q1[i]) / 2 * (g->s.u[i] - g->now.u[i]);
+        }
+    account->damped += g->now.step * (account->power + power) / 2;
+    account->power = power;
+    account->Q = account->Q1;
+    account->Q1 = Q;
+}
+
+/* ---- what is conserved ---------------------------------------------------------------------- */
+
+/* Linear momentum, and q x M v of all nodal vectors. */
+static void sum_momenta(struct genalpha *g, struct hobe_energies *e)
+{
+    const hobe_model *model = g->s.model;
+    double *q = g->w, *p = g->force;
+    memset(p, 0, (size_t)(3 * model->vectors) * sizeof *p);
+    mass_force(model, 1, g->now.v, p);
+    for (int a = 0; a < 3; a++) {
+        mass_translation(model, a, q);
+        e->momentum[a] = dot(3 * model->moving, q, p);
+    }
+    model_reference(model, q);
+    for (long v = 0; v < model->moving; v++) {
+        double couple[3];
+        for (int a = 0; a < 3; a++)
+            q[3 * v + a] += g->now.u[3 * v + a];
+        cross3(q + 3 * v, p + 3 * v, couple);
+        for (int a = 0; a < 3; a++)
+            e->angular_momentum[a] += couple[a];
+    }
+}
+
+static struct hobe_energies measure(struct genalpha *g, const struct account *account)
+{
+    const hobe_model *model = g->s.model;
+    struct hobe_energies e = {.time = g->now.time,
+                              .kinetic = mass_product(model, g->now.v, g->now.v) / 2,
+                              .strain = assemble_energy(model, g->now.u),
+                              .loads = account->loads,
+                              .damped = account->damped};
+    const struct instant instant = {g->now.time, g->now.v, 0, 0};
+    sum_momenta(g, &e);
+    settle_rate(g, &g->now, g->s.u, g->force, g->w);
+    e.violation_rate = genalpha_violation(g, g->w);
+    memset(g->w, 0, (size_t)(3 * model->vectors) * sizeof *g->w);
+    constraint_add(model, g->now.u, &instant, g->w, NULL);
+    e.violation = genalpha_violation(g, g->w);
+    return e;
+}
+
+/* ---- states --------------------------------------------------------------------------------- */
+
+static enum hobe_status keep_state(hobe_history *history, struct genalpha *g, double started,
+                                   struct hobe_error *err)
+{
+    struct hobe_solution_info info = g->s.info;
+    info.load = 1;
+    info.negative = -1;
+    info.time = g->now.time;
+    info.seconds = hobe_seconds() - started;
+    enum hobe_status status =
+        solution_smallest_volume(g->s.model, g->now.u, &info.smallest_volume, err);
+    if (!status && !(info.smallest_volume > 0))
+        status = hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
+                           "a beam is turned inside out at t = %g s (det F = %g); take smaller "
+                           "steps, more elements, or smaller loads",
+                           info.time, info.smallest_volume);
+    if (status)
+        return status;
+    hobe_solution **to = list_append(&history->states, sizeof *to, err);
+    if (!to)
+        return HOBE_NO_MEMORY;
+    *to = solution_new(g->s.model, g->now.u, g->now.v, g->now.w, &info, err);
+    if (!*to)
+        history->states.count--;
+    return *to ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct account *account,
+                              double started, struct hobe_error *err)
+{
+    struct hobe_energies e = measure(g, account);
+    if (history->energies.count == 0)
+        account->start = e.kinetic + e.strain;
+    e.balance = e.kinetic + e.strain - account->start - e.loads + e.damped;
+    g->s.info.energy = e.strain;
+    const enum hobe_status status = keep_state(history, g, started, err);
+    if (status)
+        return status;
+    struct hobe_energies *to = list_append(&history->energies, sizeof e, err);
+    if (!to)
+        return HOBE_NO_MEMORY;
+    *to = e;
+    history->info.states = (int)history->states.count;
+    return HOBE_OK;
+}
+
+/* ---- what is given -------------------------------------------------------------------------- */
+
+static hobe_solution **state(const hobe_history *history, int i)
+{
+    return i >= 0 && (size_t)i < history->states.count ? (hobe_solution **)history->states.item + i
+                                                       : NULL;
+}
+
+void hobe_history_free(hobe_history *history)
+{
+    if (!history)
+        return;
+    for (int i = 0; state(history, i); i++)
+        hobe_solution_free(*state(history, i));
+    hobe_free(history->states.item);
+    hobe_free(history->energies.item);
+    hobe_free(history);
+}
+
+void hobe_history_info(const hobe_history *history, struct hobe_history_info *info)
+{
+    *info = history->info;
+}
+
+const hobe_solution *hobe_history_state(const hobe_history *history, int i)
+{
+    return state(history, i) ? *state(history, i) : NULL;
+}
+
+hobe_solution *hobe_history_take(hobe_history *history, int i)
+{
+    hobe_solution **at = state(history, i), *taken = at ? *at : NULL;
+    if (at)
+        *at = NULL;
+    return taken;
+}
+
+const struct hobe_energies *hobe_history_energies(const hobe_history *history, int i)
+{
+    return i >= 0 && (size_t)i < history->energies.count
+               ? (const struct hobe_energies *)history->energies.item + i
+               : NULL;
+}

@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Motion in time as Lua sees it. */
+#define _GNU_SOURCE
+#include "lua_item.h"
+
+#include <math.h>
+#include <string.h>
+#include <time.h>
+
+/* Its user values are the scene and the results of the states asked for so far. */
+struct history {
+    hobe_history *history;
+};
+
+enum { SCENE = 1, STATES = 2 };
+
+/* ---- the log -------------------------------------------------------------------------------- */
+
+/* Nothing here calls Lua: the core must not be left by an error of Lua. */
+struct watch {
+    const struct hobe_lua *context;
+    int log;      /* write each step to stderr */
+    int shown;    /* a progress line stands on the terminal */
+    double since; /* when it was last renewed, s */
+};
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void watch_step(void *p, const struct hobe_time_step *step)
+{
+    struct watch *watch = p;
+    if (watch->log)
+        fprintf(stderr, "%8ld %14.7g %10.3e %5d %10.3e%s%s\n", step->step, step->time, step->size,
+                step->iterations, step->error, *step->note ? "  " : "", step->note);
+    else if (watch->context->progress && now() - watch->since > 0.2) {
+        fprintf(stderr, "\rt = %.5g s, h = %.3g s, step %ld, iterations %d\033[K", step->time,
+                step->size, step->step, step->iterations);
+        watch->since = now();
+        watch->shown = 1;
+    }
+}
+
+static void write_rows(struct hobe_lua *context, const hobe_history *history)
+{
+    struct hobe_text *text = &context->motion;
+    const struct hobe_energies *e;
+    if (text->size == 0)
+        hobe_text_add(text, "solve,time,kinetic,strain,loads,damped,balance,px,py,pz,lx,ly,lz,"
+                            "violation,violation_rate\n");
+    for (int i = 0; (e = hobe_history_energies(history, i)); i++) {
+        const double *p = e->momentum, *l = e->angular_momentum;
+        hobe_text_add(
+            text, "%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.3g,%.3g\n",
+            context->solves, e->time, e->kinetic, e->strain, e->loads, e->damped, e->balance, p[0],
+            p[1], p[2], l[0], l[1], l[2], e->violation, e->violation_rate);
+    }
+}
+
+/* ---- a motion ------------------------------------------------------------------------------- */
+
+static const hobe_history *check_history(lua_State *L)
+{
+    return ((const struct history *)luaL_checkudata(L, 1, "hobe.history"))->history;
+}
+
+static int finalize(lua_State *L)
+{
+    struct history *history = luaL_checkudata(L, 1, "hobe.history");
+    hobe_history_free(history->history);
+    history->history = NULL;
+    return 0;
+}
+
+#define INFO(key, field, type, unit, doc)                                                          \
+    {                                                                                              \
+        key, type, offsetof(struct hobe_history_info, field), unit, doc                            \
+    }
+
+static const struct hobe_lua_field fields[] = {
+    INFO("count", states, 'i', NULL, "states that were kept, the start among them"),
+    INFO("steps", steps, 'l', NULL, "steps taken"),
+    INFO("rejected", rejected, 'l', NULL, "steps tried and given up"),
+    INFO("iterations", iterations, 'l', NULL, "Newton iterations in all"),
+    INFO("factorisations", factorisations, 'l', NULL, "factorisations in all"),
+    INFO("smallest_step", smallest_step, 'd', "s", "the shortest step taken"),
+    INFO("largest_step", largest_step, 'd', "s", "the longest"),
+    INFO("solve_seconds", seconds, 'd', "s", "solving"),
+    {0}};
+
+/* The list of the times of all states. */
+static int push_times(lua_State *L, const hobe_history *history)
+{
+    const struct hobe_energies *e;
+    lua_newtable(L);
+    for (int i = 0; (e = hobe_history_energies(history, i)); i++) {
+        lua_pushnumber(L, e->time);
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
+static int get_field(lua_State *L)
+{
+    const hobe_history *history = check_history(L);
+    struct hobe_history_info info;
+    if (!strcmp(lua_tostring(L, 2), "times"))
+        return push_times(L, history);
+    hobe_history_info(history, &info);
+    return hobe_lua_push_field(L, "a motion", fields, &info, lua_tostring(L, 2));
+}
+
+/* The number of the state, from 0, that the argument of a method asks for. */
+static int read_index(lua_State *L, const hobe_history *history, const char *name)
+{
+    static const struct hobe_lua_key whole = {.name = "i", .type = KEY_WHOLE, REQUIRED};
+    struct hobe_history_info info;
+    int i;
+    hobe_history_info(history, &info);
+    hobe_lua_read_value(L, 2, lua_pushfstring(L, "%s: the state", name), &whole, &i);
+    if (i < 1 || i > info.states)
+        hobe_lua_fail(L, "%s: the state must be from 1 to %d, got %d", name, info.states, i);
+    return i - 1;
+}
+
+/* d:state(i) */
+static int state(lua_State *L)
+{
+    struct history *history = luaL_checkudata(L, 1, "hobe.history");
+    lua_settop(L, 2);
+    const int i = read_index(L, history->history, "state");
+    lua_getiuservalue(L, 1, STATES);
+    const int states = lua_gettop(L);
+    if (lua_rawgeti(L, states, i + 1) == LUA_TNIL) {
+        lua_getiuservalue(L, 1, SCENE);
+        *hobe_lua_new_result(L, -1) = hobe_history_take(history->history, i);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, states, i + 1);
+    }
+    return 1;
+}
+
+#define BALANCE(name, type, unit, doc) FIELD(struct hobe_energies, name, type, unit, doc)
+
+static const struct hobe_lua_field energy_fields[] = {
+    BALANCE(time, 'd', "s", "of the state"),
+    BALANCE(kinetic, 'd', "J", "kinetic energy"),
+    BALANCE(strain, 'd', "J", "strain energy"),
+    BALANCE(loads, 'd', "J", "work of the loads since the start"),
+    BALANCE(damped, 'd', "J", "what damping has taken since the start"),
+    BALANCE(balance, 'd', "J", "kinetic + strain - their sum at the start - loads + damped"),
+    BALANCE(violation, 'd', NULL, "largest violation of a constraint, of the scene's size or rad"),
+    BALANCE(violation_rate, 'd', "1/s", "and its rate"),
+    {0}};
+
+/* d:energies(i) */
+static int energies(lua_State *L)
+{
+    const hobe_history *history = check_history(L);
+    lua_settop(L, 2);
+    const struct hobe_energies *e =
+        hobe_history_energies(history, read_index(L, history, "energies"));
+    lua_newtable(L);
+    for (const struct hobe_lua_field *field = energy_fields; field->name; field++) {
+        hobe_lua_push_field(L, "energies", energy_fields, e, field->name);
+        lua_setfield(L, -2, field->name);
+    }
+    hobe_lua_push_numbers(L, e->momentum, 3);
+    lua_setfield(L, -2, "momentum");
+    hobe_lua_push_numbers(L, e->angular_momentum, 3);
+    lua_setfield(L, -2, "angular_momentum");
+    return 1;
+}
+
+const struct hobe_lua_entry hobe_lua_history_methods[] = {
+    {"state", state, "d:state(i)",
+     "The i-th state that was kept, i = 1 the start, as a result: with `time`, velocities and "
+     "accelerations; its reactions and resultants have the forces of inertia in them.",
+     NULL, NULL},
+    {"energies", energies, "d:energies(i)",
+     "What the motion has in the i-th state, a table: `time`, s; `kinetic` and `strain` energy, "
+     "the "
+     "work of `loads` and what damping has taken, `damped`, since the start, J; `balance`, what "
+     "the integration has lost (negative), J; `momentum`, kg m/s, and `angular_momentum` about the "
+     "origin, kg m^2/s; `violation`, the largest of the constraints, relative to the scene's size, "
+     "or rad, and `violation_rate`, 1/s.",
+     NULL, NULL},
+    {0}};
+
+/* ---- the verb ------------------------------------------------------------------------------- */
+
+struct options {
+    struct hobe_dynamic dynamic;
+    int log;
+};
+
+#define OPTION(name, kind, ...) KEY_AS(#name, struct options, dynamic.name, kind, __VA_ARGS__)
+
+static const struct hobe_lua_key dynamic_keys[] = {
+    OPTION(to, KEY_NUMBER, REQUIRED, .unit = "s", .doc = "the time that ends the motion"),
+    OPTION(step, KEY_NUMBER, KEY_ABOVE(0), .unit = "s",
+           .doc = "the step; with an accuracy, the longest one"),
+    OPTION(accuracy, KEY_NUMBER, KEY_BETWEEN(0, 1),
+           .doc =
+               "chooses the steps: the error of displacements in a step, relative to the scene's "
+               "size"),
+    OPTION(rho, KEY_NUMBER, .fallback = 0.8, .lower = 0, .upper = 1,
+           .bounds = KEY_LOWER | KEY_LOWER_OPEN | KEY_UPPER,
+           .doc = "what a step leaves of vibrations too fast for it; 1 damps nothing, not even "
+                  "errors"),
+    OPTION(store, KEY_NUMBER, KEY_ABOVE(0), .unit = "s",
+           .doc = "time between the states that are kept; steps end there.  Every step where left "
+                  "out"),
+    KEY_OF_OTHER("start", "\"equilibrium\" or result",
+                 .doc = "\"equilibrium\": the static one under the loads at t = 0; a result: that "
+                        "state, of a motion with its time and velocities; the reference where left "
+                        "out"),
+    OPTION(tolerance, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-9,
+           .doc = "forces left over, relative to those of inertia, loads and joints"),
+    OPTION(max_iterations, KEY_WHOLE, KEY_WITHIN(1, 1000), .fallback = 10,
+           .doc = "iterations of a step before it is given up"),
+    OPTION(smallest_step, KEY_NUMBER, KEY_ABOVE(0), .unit = "s",
+           .doc = "below which a step is not cut; 1e-9 of the time to go where left out"),
+    KEY(struct options, log, KEY_FLAG, .doc = "print each step on standard error"),
+    {0}};
+
+static const struct hobe_lua_schema dynamic_schema = {"dynamic", dynamic_keys};
+
+/* Reads the key `start` of the table at index 2. */
+static void read_start(lua_State *L, struct hobe_dynamic *options)
+{
+    static const struct hobe_lua_key result = {.name = "start", .type = KEY_RESULT};
+    hobe_lua_push_key(L, 2, &dynamic_schema, "start");
+    options->equilibrium =
+        lua_type(L, -1) == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "equilibrium");
+    if (!options->equilibrium)
+        hobe_lua_read_value(L, -1, "dynamic: start", &result, &options->start);
+    lua_pop(L, 1);
+}
+
+/* hobe.dynamic(scene, options) */
+static int solve_dynamic(lua_State *L)
+{
+    struct options options;
+    const struct hobe_lua_scene *scene =
+        hobe_lua_read_verb(L, &dynamic_schema, &options, sizeof options);
+    struct hobe_lua *context = hobe_lua_context(L);
+    struct watch watch = {context, options.log || context->log, 0, now()};
+    struct hobe_error err;
+    read_start(L, &options.dynamic);
+    struct history *history = lua_newuserdatauv(L, sizeof *history, 2);
+    history->history = NULL;
+    hobe_lua_set_type(L, "hobe.history", finalize, hobe_lua_history_methods, get_field);
+    lua_pushvalue(L, 1);
+    lua_setiuservalue(L, -2, SCENE);
+    lua_newtable(L);
+    lua_setiuservalue(L, -2, STATES);
+    options.dynamic.log = watch_step;
+    options.dynamic.context = &watch;
+    hobe_lua_pause_clock();
+    context->solves++;
+    if (watch.log)
+        fprintf(stderr, "    step           time       size  iter      error  (solve %d)\n",
+                context->solves);
+    const enum hobe_status status =
+        hobe_dynamic(scene->model, &options.dynamic, &history->history, &err);
+    if (watch.shown)
+        fputs("\r\033[K", stderr);
+    hobe_lua_resume_clock();
+    if (status)
+        hobe_lua_raise(L, &err);
+    if (context->program && context->folder)
+        write_rows(context, history->history);
+    if (options.dynamic.rho > 0.9)
+        hobe_lua_note(L,
+                      "rho = %f leaves fast vibrations and errors to grow; motions with joints "
+                      "may fail above 0.9",
+                      options.dynamic.rho);
+    return 1;
+}
+
+const struct hobe_lua_entry hobe_lua_dynamic_entries[] = {
+    {"dynamic", solve_dynamic,
+     "hobe.dynamic(scene, {to =, step = or accuracy =, start =, store =, rho =, ...})",
+     "The motion of a scene under its loads, which may be free to move, by generalised alpha: "
+     "implicit, of second order, constraints held at the end of each step, with steps that are "
+     "fixed or as long as an accuracy allows.  Returns a motion: `d:state(i)`, and its field "
+     "`times`, the list of their times.",
+     &dynamic_schema, fields},
+    {0}};

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Velocities, accelerations and multipliers that fit the constraints. */
+#include "constraint.h"
+#include "genalpha.h"
+#include "pattern.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- derivatives of the constraints --------------------------------------------------------- */
+
+/* Along u + s v Phi is a polynomial of at most fourth degree in s: n = y x z of one place times
+ * that of another.  Differences of five points are its derivatives, but for rounding. */
+static const double derivative[2][5] = {{1.0 / 12, -2.0 / 3, 0, 2.0 / 3, -1.0 / 12},
+                                        {-1.0 / 12, 4.0 / 3, -2.5, 4.0 / 3, -1.0 / 12}};
+
+/* rate[vectors][3] on the multipliers = the derivative of that order, 1 or 2, by s along u + s v at
+ * an instant, 0 elsewhere; moved and f of the same shape are overwritten. */
+static void along(const struct genalpha *g, const double *u, const double *v, double time,
+                  int order, double *moved, double *f, double *rate)
+{
+    const hobe_model *model = g->s.model;
+    const long n = 3 * model->vectors;
+    double fastest = 0;
+    for (long i = 0; i < 3 * model->moving; i++)
+        fastest = fmax(fastest, fabs(v[i]));
+    memset(rate, 0, (size_t)n * sizeof *rate);
+    if (!(fastest > 0))
+        return;
+    const double s = fmin(g->size, 1) / fastest;
+    const struct instant instant = {time, v, 0, 0};
+    for (int k = 0; k < 5; k++) {
+        memset(f, 0, (size_t)n * sizeof *f);
+        for (long i = 0; i < n; i++)
+            moved[i] = i < 3 * model->moving ? u[i] + (k - 2) * s * v[i] : 0;
+        constraint_add(model, moved, &instant, f, NULL);
+        for (long i = 3 * model->moving; i < n; i++)
+            rate[i] += derivative[order - 1][k] * f[i] / pow(s, order);
+    }
+}
+
+void settle_rate(const struct genalpha *g, const struct genalpha_state *at, double *moved,
+                 double *f, double *rate)
+{
+    along(g, at->u, at->v, at->time, 1, moved, f, rate);
+}
+
+/* ---- the state now -------------------------------------------------------------------------- */
+
+/* field[i] += x of the unknowns in the vectors from..to - 1. */
+static void spread(const struct genalpha *g, long from, long to, double *field)
+{
+    const long *unknown = g->s.model->unknown;
+    for (long v = from; v < to; v++)
+        for (int a = 0; a < 3 && unknown[v] >= 0; a++)
+            field[3 * v + a] += g->s.x[3 * unknown[v] + a];
+}
+
+/* s->u = the state now without multipliers, so that the border is all that constraints add. */
+static void take_state(struct genalpha *g)
+{
+    const size_t moving = (size_t)(3 * g->s.model->moving);
+    const size_t all = (size_t)(3 * g->s.model->vectors);
+    memcpy(g->s.u, g->now.u, moving * sizeof *g->s.u);
+    memset(g->s.u + moving, 0, (all - moving) * sizeof *g->s.u);
+}
+
+/* Factors of [M, Phi_q'; Phi_q, 0]. */
+static enum hobe_status factor_mass(struct genalpha *g, struct hobe_error *err)
+{
+    struct solver *s = &g->s;
+    take_state(g);
+    s->motion = (struct motion){.instant = {g->now.time, g->now.v, 0}, .mass_alone = 1};
+    solver_evaluate(s, 1, TRUE_TANGENT);
+    pattern_scale(s->model, &s->K, s->scale);
+    g->factored = 0;
+    const enum outcome outcome = solver_factor(s, err);
+    if (outcome == FAILED)
+        return hobe_fail(err, HOBE_SINGULAR, NULL,
+                         "the accelerations at t = %g s are not determined: something that can "
+                         "move has no mass, or constraints depend on each other there",
+                         g->now.time);
+    return outcome == ERROR ? (err ? err->status : HOBE_NO_MEMORY) : HOBE_OK;
+}
+
+/* M dv + Phi_q' mu = 0, Phi_q dv = -(Phi_q v + Phi_t). */
+static enum hobe_status project(struct genalpha *g, double *changed, struct hobe_error *err)
+{
+    const hobe_model *model = g->s.model;
+    *changed = 0;
+    settle_rate(g, &g->now, g->s.u, g->force, g->a);
+    if (genalpha_violation(g, g->a) == 0)
+        return HOBE_OK;
+    const enum hobe_status status = solver_solve(&g->s, g->a, -1, g->s.x, err);
+    if (status)
+        return status;
+    memset(g->a, 0, (size_t)(3 * model->vectors) * sizeof *g->a);
+    spread(g, 0, model->moving, g->a);
+    for (long i = 0; i < 3 * model->moving; i++)
+        g->now.v[i] += g->a[i];
+    *changed = genalpha_norm(g, g->a);
+    return HOBE_OK;
+}
+
+enum hobe_status settle(struct genalpha *g, double *changed, struct hobe_error *err)
+{
+    struct solver *s = &g->s;
+    const hobe_model *model = s->model;
+    const size_t size = (size_t)(3 * model->vectors) * sizeof(double);
+    enum hobe_status status = factor_mass(g, err);
+    if (!status)
+        status = project(g, changed, err);
+    if (status)
+        return status;
+    take_state(g);
+    solver_evaluate(s, 1, NO_TANGENT);
+    along(g, g->now.u, g->now.v, g->now.time, 2, s->u, g->force, g->a);
+    for (long i = 3 * model->moving; i < 3 * model->vectors; i++)
+        s->r[i] = g->a[i];
+    status = solver_solve(s, s->r, -1, s->x, err);
+    if (status)
+        return status;
+    memset(g->now.w, 0, size);
+    memset(g->now.u + 3 * model->moving, 0, size - (size_t)(3 * model->moving) * sizeof(double));
+    spread(g, 0, model->moving, g->now.w);
+    spread(g, model->moving, model->vectors, g->now.u);
+    memcpy(g->now.a, g->now.w, size);
+    return HOBE_OK;
+}

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The centrifugal force in a frame that turns steadily. */
+#ifndef HOBE_SPIN_H
+#define HOBE_SPIN_H
+
+#include "model.h"
+
+/* What the reference is from the axis; HOBE_BAD_INPUT where a beam has no density.  Without a spin
+ * these do nothing. */
+enum hobe_status spin_build(struct hobe_model *model, struct hobe_error *err);
+
+/* r -= factor w^2 M P q, and K -= factor w^2 M P unless NULL, q the nodal vectors in state u. */
+void spin_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
+                   const struct matrix *K);
+
+/* f += factor times the force on element e of a beam. */
+void spin_inside(const struct hobe_model *model, const double *u, double factor,
+                 const struct beam *beam, int e, double *f);
+
+/* w[3] = the angular velocity at a load factor, rad/s, which scales its square; zero without a
+ * spin.  HOBE_BAD_INPUT where the factor is negative: no speed has such a force. */
+enum hobe_status spin_velocity(const struct hobe_model *model, double factor, double w[3],
+                               struct hobe_error *err);
+
+#endif
