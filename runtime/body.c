@@ -369,3 +369,17 @@ void body_displacement(const struct body *body, const double *vectors, const dou
             u[a] += weight[v] * vectors[3 * (body->first + v) + a];
     }
 }
+
+void body_turn(const struct body *body, const double *u, const double *v, double turn[3])
+{
+    for (int a = 0; a < 3; a++)
+        turn[a] = 0;
+    for (int i = 0; i < 3; i++) {
+        const long at = 3 * (body->first + 1 + i);
+        const double d[3] = {u[at] + (i == 0), u[at + 1] + (i == 1), u[at + 2] + (i == 2)};
+        double product[3];
+        cross3(d, v + at, product);
+        for (int a = 0; a < 3; a++)
+            turn[a] += product[a] / 2;
+    }
+}

@@ -81,4 +81,8 @@ double body_mass_product(const struct body *body, const double *a, const double 
 void body_displacement(const struct body *body, const double *vectors, const double point[3],
                        double r0[3], double u[3]);
 
+/* turn = sum d_i x v_i / 2, the angular velocity, rad/s, with the velocities v[vectors][3] in state
+ * u. */
+void body_turn(const struct body *body, const double *u, const double *v, double turn[3]);
+
 #endif

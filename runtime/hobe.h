@@ -862,8 +862,10 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
 
 /* Where a point of a body is, `point` in the reference, m, global axes; NULL: its centre. */
 struct hobe_body_point {
-    double r[3], r0[3], u[3]; /* as in hobe_point */
-    double rotation[3];       /* rotation vector of the body, rad, global axes */
+    double r[3], r0[3], u[3];            /* as in hobe_point */
+    double rotation[3];                  /* rotation vector of the body, rad, global axes */
+    double velocity[3], acceleration[3]; /* m/s, m/s^2; 0 of equilibria */
+    double angular_velocity[3];          /* rad/s, global axes */
 };
 enum hobe_status hobe_solution_body(const hobe_solution *solution, const char *body,
                                     const double point[3], struct hobe_body_point *is,

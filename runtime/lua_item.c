@@ -210,7 +210,7 @@ static const struct hobe_lua_schema mass_schema = {"mass", mass_keys};
 
 static int mass(lua_State *L)
 {
-    struct hobe_mass read;
+    struct hobe_mass read = {0};
     hobe_lua_read(L, 1, &mass_schema, &read);
     struct hobe_mass *m = &hobe_lua_push_item(L, ITEM_MASS, &read, sizeof read)->as.mass;
     m->where = hobe_lua_keep(L, WHERE);
@@ -243,7 +243,7 @@ static const struct hobe_lua_schema clamp_schema = {"clamp", clamp_keys};
 
 static int clamp(lua_State *L)
 {
-    struct hobe_clamp read;
+    struct hobe_clamp read = {0};
     hobe_lua_read(L, 1, &clamp_schema, &read);
     read.free_warping = read.free_warping == 2;
     struct hobe_clamp *c = &hobe_lua_push_item(L, ITEM_CLAMP, &read, sizeof read)->as.clamp;
@@ -383,7 +383,7 @@ static const struct hobe_lua_schema join_schema = {"join", join_keys};
 
 static int join(lua_State *L)
 {
-    struct hobe_join read;
+    struct hobe_join read = {0};
     hobe_lua_read(L, 1, &join_schema, &read);
     for (int i = 0; i < 2; i++)
         if (read.at[i] != 0 && read.at[i] != 1)
@@ -443,7 +443,7 @@ static const struct hobe_lua_schema spin_schema = {"spin", spin_keys};
 
 static int force(lua_State *L)
 {
-    struct hobe_force read;
+    struct hobe_force read = {0};
     hobe_lua_read(L, 1, &force_schema, &read);
     check_place(L, &force_schema);
     read.at_point = hobe_lua_is_given(L, &force_schema, "point");
@@ -455,7 +455,7 @@ static int force(lua_State *L)
 
 static int moment(lua_State *L)
 {
-    struct hobe_moment read;
+    struct hobe_moment read = {0};
     hobe_lua_read(L, 1, &moment_schema, &read);
     read.at_point = !hobe_lua_is_given(L, &moment_schema, "at");
     struct hobe_moment *m = &hobe_lua_push_item(L, ITEM_MOMENT, &read, sizeof read)->as.moment;
@@ -466,7 +466,7 @@ static int moment(lua_State *L)
 
 static int gravity(lua_State *L)
 {
-    struct hobe_lua_gravity read;
+    struct hobe_lua_gravity read = {0};
     hobe_lua_read(L, 1, &gravity_schema, &read);
     struct hobe_lua_gravity *g =
         &hobe_lua_push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
@@ -487,7 +487,7 @@ static int spin(lua_State *L)
 
 static const struct hobe_lua_key motion_keys[] = {
     KEY(struct hobe_motion, beam, KEY_TEXT, .position = 1,
-        .doc = "name of the beam; everything where left out"),
+        .doc = "name of the beam or body; everything where left out"),
     KEY(struct hobe_motion, velocity, KEY_VECTOR, .unit = "m/s",
         .doc = "of the point `about`, {x, y, z}"),
     KEY(struct hobe_motion, angular_velocity, KEY_VECTOR, .unit = "rad/s",
@@ -499,7 +499,7 @@ static const struct hobe_lua_schema motion_schema = {"motion", motion_keys};
 
 static int motion(lua_State *L)
 {
-    struct hobe_motion read;
+    struct hobe_motion read = {0};
     hobe_lua_read(L, 1, &motion_schema, &read);
     struct hobe_motion *m = &hobe_lua_push_item(L, ITEM_MOTION, &read, sizeof read)->as.motion;
     m->where = hobe_lua_keep(L, WHERE);

@@ -261,7 +261,13 @@ enum hobe_status hobe_solution_body(const hobe_solution *solution, const char *n
     double R[3][3];
     if (!body)
         return HOBE_UNKNOWN;
+    *is = (struct hobe_body_point){.r = {0}};
     body_displacement(body, solution->u, point, is->r0, is->u);
+    if (solution->v) {
+        body_displacement(body, solution->v, point, is->r0, is->velocity);
+        body_displacement(body, solution->w, point, is->r0, is->acceleration);
+        body_turn(body, solution->u, solution->v, is->angular_velocity);
+    }
     for (int a = 0; a < 3; a++) {
         is->r[a] = is->r0[a] + is->u[a];
         for (int i = 0; i < 3; i++)
