@@ -3,11 +3,11 @@
 
 from fractions import Fraction
 
-from . import structural, tensor
+from . import products, section, structural, tensor
 from .ir import write
 from .shape import derivative
 
-ABI = 5  # HOBE_KERNEL_ABI of kernel.h
+ABI = 6  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -20,9 +20,10 @@ def element_file(element, plan):
     parts = [_head(element, plan), _tables(element), _shape(element), _modes(element)]
     parts += [REFERENCE, *_law(element), INVARIANTS, *_strain(element)]
     if plan.layout:
-        parts += [_tensor_tables(element, plan.layout), tensor.COEFFICIENTS]
+        parts += [products.STRUCTURE, _plan_tables(element, plan), products.SYMMETRY,
+                  products.COEFFICIENTS, tensor.COEFFICIENTS, section.COEFFICIENTS]
     parts += [_function(f) for f in plan.functions]
-    parts += [BATCH, *([TENSOR_BATCH, TRILINEAR] if plan.layout else []),
+    parts += [ENERGY, *([BATCH, TRILINEAR] if plan.layout else [STRUCTURAL_BATCH]),
               _descriptor(element, plan)]
     return "\n".join(parts)
 
@@ -113,8 +114,9 @@ def _head(element, plan):
         *_wrap("vectors (mode@node, ' for d/dx):", vectors),
         f"operations per element: force {counts['force_part']}, force and tangent "
         f"{counts['tangent_part']}, energy {counts['energy_part']}",
-        *(f"as one tensor, section symmetric in {where}: force {c['tensor_force_part']}, force and "
-          f"tangent {c['tensor_tangent_part']}" for where, c in zip(SYMMETRIC_IN, plan.tensors)),
+        *(f"{what}, symmetric in {where}: force {c[name + 'force_part']}, force and tangent "
+          f"{c[name + 'tangent_part']}" for name, what in PLANS.items()
+          for where, c in zip(SYMMETRIC_IN, plan.by_symmetry) if name + "force_part" in c),
     ]
     return "\n".join(["/* " + text[0], *(" * " + t if t else " *" for t in text[1:]), " */",
                       '#include "kernel.h"', "", f"#if HOBE_KERNEL_ABI != {ABI}",
@@ -122,7 +124,8 @@ def _head(element, plan):
                       "#endif", ""])
 
 
-SYMMETRIC_IN = "neither", "y", "z", "both"
+SYMMETRIC_IN = "nothing", "x", "y", "x y", "z", "x z", "y z", "x y z"
+PLANS = {"": "from station to station", "tensor_": "as one tensor"}
 
 
 def _points(element):
@@ -187,42 +190,51 @@ def _tables(element):
         _table("static const double overlap[A * A]", overlap), ""])
 
 
-TENSOR_SIZES = {
+PLAN_SIZES = {
     "COLUMNS": "sums and differences of nodal vectors", "PAIRS": "of those",
     "BLOCKS": "of the tangent, pairs of nodal vectors: a row each",
     "IMAGES": "pairs of rows that are mirror images", "ALONE": "rows that are their own",
     "CLASSES": "of parities: 1 odd in x, 2 odd in y, 4 odd in z", "LAST": "the last position",
     "OPPOSED": "whether it is one of two: rows with the first are less those with it",
+    "MIRRORED": "whether there are mirror images",
+    "GRAMS": "pairs of section vectors", "AXIAL": "weights of a station for axial functions",
+    "FIRST": "from the numbers of (k', l') to those of (k, l') among rows of section vectors",
+    "SECOND": "to those of (k', l)",
+    "MOST_PAIRS": "of either kind",
 }
-TENSOR_TABLES = {
-    "parity": ("unsigned char", "of each section vector: 1 odd in y, 2 odd in z"),
-    "mirror_of": ("short", "of each nodal vector: its image about mid-length, in rows"),
+PLAN_TABLES = {
+    "parity": ("unsigned char", "of each section vector: 1 odd in x, 2 odd in y, 4 odd in z"),
+    "odd_of": ("unsigned char", "of each nodal vector: whether its image has the other sign"),
     "left": ("short", "of each column: q_left + sign q_right, less the last position where "
                       "shifted; its\n * function is share (N_left + sign N_right)"),
     "right": ("short", None), "shifted": ("short", None), "sign": ("double", None),
     "share": ("double", None),
-    "pair_t": ("short", "pairs of columns: those with t = v, then the others, by class"),
-    "pair_v": ("short", None), "first_pair": ("short", None), "first_cross": ("short", None),
-    "row": ("short", "rows of Q and of the symmetric part, by class"), "first_row": ("short", None),
-    "skew_row": ("short", "rows of the skew part, by class"), "first_skew_row": ("short", None),
-    "merged": ("short", "by the section's symmetry: how many classes a row meets, and its own "
-                        "class times which"),
-    "merged_with": ("short", None),
     "image": ("short", "pairs of rows that are images, and rows that are their own"),
     "alone": ("short", None),
+    "merged": ("short", "by symmetry: how many classes a row meets, and its own class times which"),
+    "merged_with": ("short", None),
 }
 
 
-def _tensor_tables(element, layout):
-    parity = [y + 2 * z for y, z in (m.parity for m in element.modes)]
-    tables = {"parity": parity + parity[1:], **layout.tables,
+def _plan_tables(element, plan):
+    layout = plan.layout
+    sizes = {**layout.sizes, **section.sizes(element)}
+    sizes["MOST_PAIRS"] = max(sizes["PAIRS"], sizes["GRAMS"])
+    tables = {"parity": section.parities(element), **layout.tables, **products.TABLES,
               "sign": [c.sign for c in layout.columns],
               "share": [_number(c.share) for c in layout.columns]}
-    lines = ["/* ---- eqs. 27 and 28 as products with constant matrices (generator/tensor.py) "
-             "---- */", "", *_enum(layout.sizes, TENSOR_SIZES), ""]
-    for name, (kind, note) in TENSOR_TABLES.items():
+    lines = ["/* ---- eqs. 27 and 28 as products with constant matrices (generator/products.py) "
+             "---- */", "", *_enum(sizes, PLAN_SIZES), ""]
+    for name, (kind, note) in PLAN_TABLES.items():
         lines += [f"/* {note} */"] if note else []
         lines.append(_table(f"static const {kind} {name}[]", map(str, tables[name])))
+    for of, note in (layout.products, "nodal vectors"), (plan.sectional, "section vectors"):
+        lines.append(f"/* products of {note} */")
+        lines += [_table(f"static const short {of.name}_{name}[]", map(str, table))
+                  for name, table in of.tables.items()]
+        lines.append(_table(f"static const struct products {of.name}[1]", [
+            f"{{{of.columns}", str(len(of.pairs)), *(f"{of.name}_{name}" for name in of.tables)])
+            .removesuffix(",\n};") + "},\n};")
     return "\n".join([*lines, ""])
 
 
@@ -397,6 +409,11 @@ static void clear(double *x, int n)
 """
 
 GRAM_LAW = """\
+static inline int larger(int i, int j)
+{
+    return i > j ? i : j;
+}
+
 static inline int symmetric(int i, int j)
 {
     return i >= j ? hobe_pair(i, j) : hobe_pair(j, i);
@@ -654,15 +671,17 @@ def _strain(element):
     return [STRAIN, WARPING_STRAIN] if _warps(element) else [STRAIN]
 
 
-BATCH = """\
+ENERGY = """\
 static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
                    hobe_lanes *U)
 {
     for (int h = 0; h < HOBE_PARTS; h++)
         energy_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)U + h);
 }
+"""
 
-static void section_wise_force(const struct hobe_invariants *inv, const hobe_lanes *q0,
+STRUCTURAL_BATCH = """\
+static void force(const struct hobe_invariants *inv, const hobe_lanes *q0,
                                const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
 {
     (void)scratch;
@@ -670,7 +689,7 @@ static void section_wise_force(const struct hobe_invariants *inv, const hobe_lan
         force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h);
 }
 
-static void section_wise_tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
+static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
                                  const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
                                  hobe_lanes *scratch)
 {
@@ -680,25 +699,26 @@ static void section_wise_tangent(const struct hobe_invariants *inv, const hobe_l
 }
 """
 
-TENSOR_BATCH = """\
+BATCH = """\
 static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
                   hobe_lanes *f, hobe_lanes *scratch)
 {
-    if (!inv->tensor)
-        section_wise_force(inv, q0, u, f, scratch);
-    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
-        tensor_force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
-                          (hobe_real *)f + h, (hobe_real *)scratch);
+    for (int h = 0; h < HOBE_PARTS; h++) {
+        const hobe_real *reference = (const hobe_real *)q0 + h, *moved = (const hobe_real *)u + h;
+        if (inv->tensor)
+            tensor_force_part(inv, reference, moved, (hobe_real *)f + h, (hobe_real *)scratch);
+        else
+            force_part(inv, reference, moved, (hobe_real *)f + h);
+    }
 }
 
 static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
                     hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
 {
-    if (!inv->tensor)
-        section_wise_tangent(inv, q0, u, f, K, scratch);
-    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
-        tensor_tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
-                            (hobe_real *)f + h, (hobe_real *)K + h, (hobe_real *)scratch);
+    for (int h = 0; h < HOBE_PARTS; h++)
+        (inv->tensor ? tensor_tangent_part : tangent_part)(
+            inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h,
+            (hobe_real *)K + h, (hobe_real *)scratch);
 }
 """
 
@@ -714,9 +734,15 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
 """
 
 
-BY_SECTION = {"force": "section_wise_force", "tangent": "section_wise_tangent",
-              "trilinear": "NULL", "tensor_size": "NULL", "symmetry": "NULL", "tensor": "NULL"}
-BY_TENSOR = {name: name for name in BY_SECTION}
+PLANS_OF = "symmetry", "section", "section_cost", "tensor", "tensor_cost", "trilinear"
+
+
+def _cost(plan, of, name):
+    """A table of struct hobe_plan_cost."""
+    products_ = plan.sectional if of == "section" else plan.layout.products
+    return _table(f"static const struct hobe_plan_cost {of}_cost[HOBE_SYMMETRIES]", [
+        f"{{{c[name + 'force_part']}, {c[name + 'tangent_part']}, {products_.numbers(s)}}}"
+        if name + "force_part" in c else "{0, 0, 0}" for s, c in enumerate(plan.by_symmetry)])
 
 
 def _descriptor(element, plan):
@@ -732,18 +758,15 @@ def _descriptor(element, plan):
         *([_table("static const char *const function_name[]", functions)] if functions else []),
         *([_table("static const double axis_rule[][2]", [f"{{{x!r}, {w!r}}}" for x, w in rule])]
           if rule else []),
-        *([_table("static const struct hobe_tensor_size tensor_size[]", [
-            f"{{{c['tensor_force_part']}, {c['tensor_tangent_part']}, {layout.numbers(s)}}}"
-            for s, c in enumerate(plan.tensors)])] if layout else []),
+        *([_cost(plan, "section", ""), _cost(plan, "tensor", "tensor_")] if layout else []),
         "",
         f"extern const struct hobe_kernel HOBE_KERNEL({identifier(d.name)});",
         f"const struct hobe_kernel HOBE_KERNEL({identifier(d.name)}) = {{",
     ]
-    # the section stiffness and one column; or columns, rows and their products
-    scratch = 9 * size["S"] ** 2 + 3 * (size["NN"] + size["NS"])
+    scratch = 9 * size["S"] ** 2  # the section stiffness; or columns, rows and their products
     if layout:
         pairs, columns, blocks = (layout.sizes[k] for k in ("PAIRS", "COLUMNS", "BLOCKS"))
-        scratch = max(scratch, 9 * pairs - 3 * columns + 10 * blocks)
+        scratch = max(section.scratch(element, blocks), 9 * pairs - 3 * columns + 10 * blocks)
     fields = {
         "abi": ABI, "name": f'"{d.name}"', "hash": f'"{d.hash}"', "source": f'"{d.source}"',
         "mechanics": f'"{d.mechanics}"', "nodes": len(d.nodes), "vectors": "V", "modes": "M",
@@ -753,7 +776,9 @@ def _descriptor(element, plan):
         "axis_rule": "axis_rule" if rule else "NULL", "vector": "vector", "mode": "mode_name",
         "function": "function_name" if functions else "NULL", "shape": "shape",
         "section_modes": "section_modes", "invariants": "invariants", "energy": "energy",
-        **(BY_TENSOR if layout else BY_SECTION), "strain": "strain",
+        "force": "force", "tangent": "tangent",
+        "axial": "AXIAL" if layout else 0,
+        **{name: name if layout else "NULL" for name in PLANS_OF}, "strain": "strain",
         "warping_strain": "warping_strain" if _warps(element) else "NULL",
     }
     lines += [f"    .{name} = {value}," for name, value in fields.items()]

@@ -1,27 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the forms of the elastic force have in common, and what each must say (stage 4).
+"""What plans have in common (stage 4): arguments, and the statements by which section vectors come
+from nodal vectors at a station g of the axis and forces go back to them."""
 
-All elements share how section vectors come from nodal vectors and how forces and stiffnesses go
-back to them (plan.py).  A form says what happens between, at one station of the axis.
-"""
+from .ir import Do, If, Let, Note, loop
 
-from dataclasses import dataclass
-
-from .ir import Do, loop
-
-
-@dataclass(frozen=True)
-class Form:
-    """Statements at a station g of the axis.  They find U, the change of the section vectors
-    D[S][3], and B, the mean of D before and after; after `state`, B is D after the change."""
-
-    functions: tuple  # those that the statements call, callees first, and parts of its own
-    arrays: tuple     # of the state
-    law: tuple        # pointers to the invariants of the station
-    state: tuple      # from B and U to strains and stresses
-    work: tuple       # w += strain times stress
-    force: tuple      # U = dW/dD
-    stiffness: tuple  # C = d2W/dD2, S x S blocks
+INVARIANTS = "const struct hobe_invariants *inv"
 
 
 def numbers(*names):
@@ -48,3 +31,29 @@ def product(size, q, s, sigma):
         loop("r", size, Do(f"{sigma}[r] = zero;")),
         loop("c", size, loop("r", size, Do(f"{sigma}[r] += {q}[c * {size} + r] * {s}[c];"))),
     )
+
+
+AXIAL = Do("const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;", free=True)
+
+# U, the change of the section vectors D[S][3], and B, the mean of D before and after
+VECTORS = (
+    Do("section_vectors(N, Nx, x0, B);"),
+    Do("section_vectors(N, Nx, x, U);"),
+    loop("i", "3 * S", Do("B[i] += 0.5 * U[i];")),
+)
+
+# B, D after the change
+CURRENT = Note("D = D0 + U"), loop("i", "3 * S", Do("B[i] += 0.5 * U[i];"))
+
+CLEAR_FORCE = loop("i", "3 * V", Do("f[i * HOBE_PARTS] = zero;"))
+
+
+def hand_back(source):
+    """f_v += w (N_v' P_k' + N_v P_k)."""
+    return loop(
+        "v", "V",
+        Let("k", "mode[v]"),
+        Do("const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];", free=True),
+        axis3(f"f[(3 * v + a) * HOBE_PARTS] += cx * {source}[3 * k + a];"),
+        If("k > 0", (
+            axis3(f"f[(3 * v + a) * HOBE_PARTS] += c * {source}[3 * (M - 1 + k) + a];"),)))

@@ -96,6 +96,15 @@ class Counter:
         self.names = dict(names)
         self.known = {}
 
+    def set(self, name, value):
+        """Another value of a name; what does not depend on it stays counted."""
+        self.names[name] = value
+        changed = {f for f, function in self.functions.items() if name in str(function.body)}
+        while more := {f for f, function in self.functions.items() if f not in changed and any(
+                f"{c}(" in str(function.body) for c in changed)}:
+            changed |= more
+        self.known = {f: n for f, n in self.known.items() if f not in changed}
+
     def count(self, function):
         """Operations of one call, per lane."""
         if function not in self.known:
@@ -153,5 +162,21 @@ def _depends(body, var):
 
 
 def _integer(expression, names):
-    text = expression.replace("&&", " and ").replace("->", "_").replace("/", "//")
-    return int(eval(text, {"__builtins__": {}, **names}))
+    text = python(expression).replace("->", "_").replace("/", "//")
+    return int(eval(text, {"__builtins__": {}, **FUNCTIONS, **names}))
+
+
+# Those of kernel.h and the head of a file that expressions may call.
+FUNCTIONS = {
+    "hobe_pair": lambda i, j: i * (i + 1) // 2 + j,
+    "symmetric": lambda i, j: max(i, j) * (max(i, j) + 1) // 2 + min(i, j),
+    "larger": max,
+}
+
+
+def python(expression):
+    """An expression of C as Python's, but for divisions and arrows."""
+    text = expression.replace("&&", " and ")
+    if choice := re.fullmatch(r"(.*) \? (.*) : (.*)", text):
+        text = f"({choice[2]}) if {choice[1]} else ({choice[3]})"
+    return text

@@ -31,8 +31,9 @@ that they do not lock, and p + 1 Lobatto points for the section's, so that no mo
 
 import sympy
 
-from .form import Form, axis3, filled, given, numbers, product
-from .ir import Do, Function, If, Note, loop
+from .form import (AXIAL, CLEAR_FORCE, CURRENT, INVARIANTS, VECTORS, axis3, filled, given,
+                   hand_back, numbers, product)
+from .ir import Do, Function, If, Let, Note, loop
 
 
 def axis_rule(degree):
@@ -51,24 +52,105 @@ def _roots(polynomial):
     return sorted(polynomial.nroots(n=40)) if polynomial.degree() > 0 else []
 
 
-def form():
-    rod, section = "g < ROD", "g >= ROD"
-    return Form(
-        functions=(_vector_product(), _add_product(), _components(), _frame(), _unit_change(),
-                   _spin(), _couple(), _rod_strains(), _rod_differences(), _slope_forces(),
-                   _balance(), _frame_force(), _rod_force(), _rod_stiffness(), _section_strains(),
-                   _section_stresses(), _section_force(), _section_stiffness()),
-        arrays=(Do("hobe_real e[9], n[NN], t[NN];", free=True),),
-        law=(Do("const double *Qn = inv->Qn + inv->step_n * g;", free=True),
-             Do("const double *Qs = inv->Qs + inv->step_s * g;", free=True)),
-        state=(If(rod, (Do("rod_differences(B, U, e, n);"), *product("NN", "Qn", "n", "t"))),
-               If(section, (Do("section_strains(B, U, n);"), *product("NS", "Qs", "n", "t")))),
-        work=(If(rod, (loop("r", "NN", Do("w += n[r] * t[r];")),)),
-              If(section, (loop("r", "NS", Do("w += n[r] * t[r];")),))),
-        force=(If(rod, (Do("rod_force(t, B, e, U);"),)),
-               If(section, (Do("section_force(t, B, U);"),))),
-        stiffness=(If(rod, (Do("rod_stiffness(Qn, t, B, e, C);"),)),
-                   If(section, (Do("section_stiffness(Qs, t, B, C);"),))))
+ROD, SECTION = "g < ROD", "g >= ROD"
+VECTOR_ARRAYS = Do("hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];", free=True)
+ARRAYS = Do("hobe_real e[9], n[NN], t[NN];", free=True)
+LAW_AT = (Do("const double *Qn = inv->Qn + inv->step_n * g;", free=True),
+          Do("const double *Qs = inv->Qs + inv->step_s * g;", free=True))
+STRESS = (If(ROD, (Do("rod_differences(B, U, e, n);"), *product("NN", "Qn", "n", "t"))),
+          If(SECTION, (Do("section_strains(B, U, n);"), *product("NS", "Qs", "n", "t"))))
+FORCE = (If(ROD, (Do("rod_force(t, B, e, U);"),)),
+         If(SECTION, (Do("section_force(t, B, U);"),)))
+
+
+def functions():
+    return (_expand(), _vector_product(), _add_product(), _components(), _frame(), _unit_change(),
+            _spin(), _couple(), _rod_strains(), _rod_differences(), _slope_forces(), _balance(),
+            _frame_force(), _rod_force(), _rod_stiffness(), _section_strains(),
+            _section_stresses(), _section_force(), _section_stiffness(), _force_part(),
+            _energy_part(), _tangent_part())
+
+
+# ---- from stations to nodes ----------------------------------------------------------------------
+
+def _force_part():
+    return Function(
+        "force_part",
+        (INVARIANTS, *given("q0", "u"), *filled("f")),
+        "f = dU/dq, eq. 27, for one part of a batch",
+        (
+            VECTOR_ARRAYS,
+            ARRAYS,
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            CLEAR_FORCE,
+            loop("g", "inv->stations", AXIAL, *LAW_AT, *VECTORS, *STRESS, *CURRENT,
+                 *FORCE, hand_back("U")),
+        ))
+
+
+def _energy_part():
+    return Function(
+        "energy_part",
+        (INVARIANTS, *given("q0", "u"), *filled("energy")),
+        "U = sum_g w_g s.sigma/2, eq. 26",
+        (
+            VECTOR_ARRAYS,
+            ARRAYS,
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            Do("hobe_real sum = zero;"),
+            loop("g", "inv->stations", AXIAL, *LAW_AT, *VECTORS, *STRESS,
+                 Do("hobe_real w = zero;"),
+                 If(ROD, (loop("r", "NN", Do("w += n[r] * t[r];")),)),
+                 If(SECTION, (loop("r", "NS", Do("w += n[r] * t[r];")),)),
+                 Do("const double half = 0.5 * inv->wx[g];", free=True),
+                 Do("sum += half * w;")),
+            Do("energy[0] = sum;"),
+        ))
+
+
+def _expand():
+    def add(c, i, j):
+        return loop("e", "9", Do(f"k[e * HOBE_PARTS] += {c} * C[9 * (({i}) * S + {j}) + e];"))
+
+    return Function(
+        "expand",
+        (*numbers("N", "Nx"), "double w", *given("C"), *filled("K")),
+        "K_vw += w (N_v', N_v) [C] (N_w', N_w)^T for v >= w",
+        (
+            loop("v", "V", loop(
+                "u", "v + 1",
+                Let("i", "mode[v]"),
+                Let("j", "mode[u]"),
+                Do("hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(v, u);", free=True),
+                Do("const double cxx = w * Nx[v] * Nx[u], cx = w * Nx[v] * N[u];", free=True),
+                Do("const double xc = w * N[v] * Nx[u], cc = w * N[v] * N[u];", free=True),
+                add("cxx", "i", "j"),
+                If("j > 0", (add("cx", "i", "M - 1 + j"),)),
+                If("i > 0", (add("xc", "M - 1 + i", "j"),)),
+                If("i > 0 && j > 0", (add("cc", "M - 1 + i", "M - 1 + j"),)))),
+        ))
+
+
+def _tangent_part():
+    return Function(
+        "tangent_part",
+        (INVARIANTS, *given("q0", "u"), *filled("f", "K", "C")),
+        "f as in force_part and K = df/dq, eq. 28; C: scratch for the section stiffness",
+        (
+            VECTOR_ARRAYS,
+            ARRAYS,
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            CLEAR_FORCE,
+            loop("i", "9 * V * (V + 1) / 2", Do("K[i * HOBE_PARTS] = zero;")),
+            loop("g", "inv->stations", AXIAL, *LAW_AT, *VECTORS, *STRESS, *CURRENT,
+                 If(ROD, (Do("rod_stiffness(Qn, t, B, e, C);"),)),
+                 If(SECTION, (Do("section_stiffness(Qs, t, B, C);"),)),
+                 Do("expand(N, Nx, inv->wx[g], C, K);"),
+                 *FORCE, hand_back("U")),
+        ))
 
 
 # ---- frame and spin ------------------------------------------------------------------------------

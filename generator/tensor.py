@@ -33,11 +33,7 @@ from fractions import Fraction
 
 from .form import axis3, filled, given
 from .ir import Do, Function, If, Let, Note, loop
-
-SYMMETRIES = range(4)  # of a section: 1 in y, 2 in z, both, none
-CLASSES = 8            # of pairs: 1 odd in x, 2 odd in y, 4 odd in z
-MERGED = (0, 2, 4, 6), (0, 4), (0, 2), (0,)  # by symmetry: classes that are not kept from class 0
-HEIGHTS = 4, 2, 4      # rows at a time: their sums of 1, 6 and 3 columns fit 16 registers
+from .products import CLASSES, Products, by_class, pair
 
 
 @dataclass(frozen=True)
@@ -55,18 +51,15 @@ class Column:
 
 @dataclass(frozen=True)
 class Layout:
-    """Orders of rows and columns.  Rows are numbered as blocks of the tangent, hobe_pair(i, j)."""
+    """Rows and columns of the nodal vectors.  Rows are numbered as blocks of the tangent,
+    hobe_pair(i, j)."""
 
     last: int           # the last position
     opposed: bool       # two positions: rows with the first, vector 0, are less those with the last
-    mirror: tuple       # of each vector of a row, its mirror image
+    mirrored: bool      # whether axial functions have mirror images
+    sign: tuple         # of each vector of a row: that of its image
     columns: tuple      # Column
-    pairs: tuple        # (t, v), t >= v: those with t = v, then by class
-    first_pair: tuple   # of each class, [CLASSES + 1]; pairs with t = v are of class 0
-    rows: tuple         # rows of Q and S by class
-    first_row: tuple
-    skew_rows: tuple    # rows of R by class
-    first_skew_row: tuple
+    products: Products  # of the columns, for the rows
     images: tuple       # (row, row of its mirror image): the parts of both
     alone: tuple        # rows that are their own image
 
@@ -75,42 +68,25 @@ class Layout:
         """Names and values of the constants that the loops run over."""
         return {
             "COLUMNS": len(self.columns),
-            "PAIRS": len(self.pairs),
-            "BLOCKS": _pair(len(self.mirror), 0),
+            "PAIRS": len(self.products.pairs),
+            "BLOCKS": pair(len(self.sign), 0),
             "IMAGES": len(self.images),
             "ALONE": len(self.alone),
             "CLASSES": CLASSES,
             "LAST": self.last,
             "OPPOSED": int(self.opposed),
+            "MIRRORED": int(self.mirrored),
         }
 
     @property
     def tables(self):
         """Integer tables of the loops by name."""
         return {
-            "mirror_of": self.mirror,
+            "odd_of": [int(s < 0) for s in self.sign],
             "left": [c.left for c in self.columns], "right": [c.right for c in self.columns],
             "shifted": [int(c.shifted) for c in self.columns],
-            "pair_t": [t for t, _ in self.pairs], "pair_v": [v for _, v in self.pairs],
-            "first_pair": self.first_pair,
-            "first_cross": [max(n, len(self.columns)) for n in self.first_pair],
-            "row": self.rows, "first_row": self.first_row,
-            "skew_row": self.skew_rows, "first_skew_row": self.first_skew_row,
-            "merged": [len(m) for m in MERGED],
-            "merged_with": [k for m in MERGED for k in (*m, 0, 0, 0)[:4]],
-            "image": [r for pair in self.images for r in pair], "alone": self.alone,
+            "image": [r for both in self.images for r in both], "alone": self.alone,
         }
-
-    def numbers(self, symmetry):
-        """How many coefficients a tensor has that the section's symmetry leaves."""
-        tables = self.tables
-
-        def count(row, pair):
-            rows, pairs = tables[row], tables[pair]
-            return sum((rows[c + 1] - rows[c]) * (pairs[k + 1] - pairs[k])
-                       for c in range(CLASSES) for k in (c ^ m for m in MERGED[symmetry]))
-
-        return 2 * count("first_row", "first_pair") + count("first_skew_row", "first_cross")
 
 
 def layout(element):
@@ -122,16 +98,16 @@ def layout(element):
     columns = _columns(mirror, sign, parity, positions)
     pairs = [(t, v) for t in range(len(columns)) for v in range(t + 1)]
     kind = {p: columns[p[0]].parity ^ columns[p[1]].parity for p in pairs}
-    pairs, first_pair = _by_class(pairs, kind, lambda p: p[0] != p[1])
+    pairs, first_pair = by_class(pairs, kind, lambda p: p[0] != p[1])
+    mirrored = mirror != tuple(range(len(mirror)))
     opposed = len(positions) == 2 and mirror[0] == positions[1]
     if opposed:  # the last position from the first: odd about mid-length, like its function
         end = positions[1]
         mirror, sign = _put(mirror, end, end), _put(sign, end, -1)
     rows, kinds, skew_kinds, images, alone = _rows(mirror, sign, parity, first=int(opposed))
-    order, first_row = _by_class(rows, kinds)
-    skew, first_skew = _by_class(skew_kinds, skew_kinds)
-    return Layout(positions[-1], opposed, mirror, columns, pairs, first_pair, order, first_row,
-                  skew, first_skew, images, alone)
+    products = Products("nodal", len(columns), mirror, pairs, first_pair, *by_class(rows, kinds),
+                        *by_class(skew_kinds, skew_kinds))
+    return Layout(positions[-1], opposed, mirrored, sign, columns, products, images, alone)
 
 
 def _put(items, place, item):
@@ -181,12 +157,6 @@ def _columns(mirror, sign, parity, positions):
     return tuple(found)
 
 
-def _by_class(items, kind, key=lambda _: 0):
-    """The items in the order of their classes, then of key, and where each class begins."""
-    order = tuple(sorted(items, key=lambda item: (kind[item], key(item))))
-    return order, tuple(sum(kind[i] < c for i in order) for c in range(CLASSES + 1))
-
-
 def _rows(mirror, sign, parity, first):
     """Rows of vectors from `first` on; classes of those of S and of R; images; rows alone.  Of two
     images with the sign s, the first row holds the part that both have alike, x-even where s > 0;
@@ -195,9 +165,9 @@ def _rows(mirror, sign, parity, first):
     rows, kinds, skew, images, alone = [], {}, {}, [], []
     for i in range(first, len(mirror)):
         for j in range(first, i + 1):
-            row, yz = _pair(i, j), parity[i] ^ parity[j]
+            row, yz = pair(i, j), parity[i] ^ parity[j]
             a, b = mirror[i], mirror[j]
-            other, s = _pair(max(a, b), min(a, b)), sign[i] * sign[j]
+            other, s = pair(max(a, b), min(a, b)), sign[i] * sign[j]
             rows.append(row)
             odd = (s < 0) ^ (other < row)
             kinds[row] = yz + odd
@@ -210,22 +180,19 @@ def _rows(mirror, sign, parity, first):
     return rows, kinds, skew, tuple(images), tuple(alone)
 
 
-def _pair(i, j):
-    return i * (i + 1) // 2 + j
-
-
 # ---- loop nests ----------------------------------------------------------------------------------
 
 INVARIANTS = "const struct hobe_invariants *inv"
 
 
 def functions():
-    """The loop nests, the same for every element."""
-    sums = (_sum("row_stress", "Q", "row", HEIGHTS[0], 1),
-            _sum("row_symmetric", "sym", "row", HEIGHTS[1], 6),
-            _sum("row_skew", "skew", "skew_row", HEIGHTS[2], 3))
-    return (_columns_of(), _differences(), _products(), *sums, _state(), _force(), _block(),
-            _blocks(), _opposed(), _force_part(), _tangent_part())
+    """The loop nests, the same for every element; those of the tail serve section.py, too."""
+    return (_columns_of(), _state(), _force_part(), _tangent_part())
+
+
+def tail():
+    """From rows to force and tangent."""
+    return _images(), _force(), _block(), _blocks(), _opposed(), _finish()
 
 
 def _columns_of():
@@ -235,73 +202,6 @@ def _columns_of():
         (loop("t", "COLUMNS",
               axis3("y[3 * t + a] = x[3 * left[t] + a] + sign[t] * x[3 * right[t] + a];"),
               If("shifted[t]", (axis3("y[3 * t + a] -= x[3 * LAST + a];"),))),))
-
-
-def _differences():
-    return Function(
-        "column_differences", (*given("B", "C"), *filled("gamma")),
-        "gamma_tv = B_t.C_v + C_t.B_v, gamma_tt = B_t.C_t: Gram differences as in `differences`",
-        (loop("p", "COLUMNS", Do("gamma[p] = dot(B + 3 * pair_t[p], C + 3 * pair_t[p]);")),
-         loop("p", "PAIRS", Do("const hobe_real *Bt = B + 3 * pair_t[p], *Ct = C + 3 * pair_t[p];",
-                               free=True),
-              Do("gamma[p] = dot(Bt, C + 3 * pair_v[p]) + dot(Ct, B + 3 * pair_v[p]);"),
-              first="COLUMNS")))
-
-
-def _products():
-    def term(a, b, sign):
-        return f"t{a} * v{b} {sign} t{b} * v{a}"
-
-    mixed = (1, 2), (2, 0), (0, 1)
-    factors = ", ".join(f"{x}{a} = {x}[{a}]" for x in "tv" for a in range(3))
-    return Function(
-        "products", (*given("y"), *filled("X", "Z")),
-        "X[PAIRS][6]: xx, yy, zz, 2yz, 2xz, 2xy of y_t with y_v; Z[PAIRS - COLUMNS][3] = y_t x y_v",
-        (loop("p", "PAIRS",
-              Do("const hobe_real *t = y + 3 * pair_t[p], *v = y + 3 * pair_v[p];", free=True),
-              Do(f"const hobe_real {factors};", free=True),
-              Do("hobe_real *to = X + 6 * p;", free=True),
-              *(Do(f"to[{a}] = t{a} * v{a};") for a in range(3)),
-              *(Do(f"to[{3 + a}] = {term(*pair, '+')};") for a, pair in enumerate(mixed)),
-              If("p >= COLUMNS", (
-                  Do("hobe_real *cross = Z + 3 * (p - COLUMNS);", free=True),
-                  *(Do(f"cross[{a}] = {term(*pair, '-')};") for a, pair in enumerate(mixed))))),))
-
-
-def _sum(name, target, row, height, width):
-    """target_r = sum_p coefficient_rp X_p over the columns that meet the row's class: `height` rows
-    at a time, whose sums stay in registers, then the rest one by one."""
-    first = f"first_{row}"
-    skew = row == "skew_row"  # without the diagonal columns, t = v
-    pair = "first_cross" if skew else "first_pair"
-
-    def rows(height):
-        sums = [[f"s{h}{e}" for e in range(width)] for h in range(height)]
-        return (
-            *(Do("hobe_real " + ", ".join(f"{s} = zero" for s in line) + ";", free=True)
-              for line in sums),
-            loop("m", "merged[symmetry]",
-                 Let("k", "c ^ merged_with[4 * symmetry + m]"),
-                 loop("p", f"{pair}[k + 1]",
-                      Do(f"const hobe_real *x = X + {width} * {'(p - COLUMNS)' if skew else 'p'};",
-                         free=True),
-                      *(Do(f"{sums[h][e]} += H[{h}] * x[{e}];")
-                        for h in range(height) for e in range(width)),
-                      Do(f"H += {height};", free=True),
-                      first=f"{pair}[k]")),
-            *(Do(f"{target}[{width} * {row}[r + {h}] + {e}] = {sums[h][e]};", free=True)
-              for h in range(height) for e in range(width)))
-
-    return Function(
-        name, ("const double *H", "int symmetry", *given("X"), *filled(target)),
-        f"{target}[row][{width}] = the rows' sums of coefficients H times columns\n"
-        f" * X[PAIRS{' - COLUMNS' if skew else ''}][{width}]; returns the end of H",
-        (loop("c", "CLASSES",
-              Let("count", f"{first}[c + 1] - {first}[c]"),
-              loop("b", f"count / {height}", Let("r", f"{first}[c] + {height} * b"), *rows(height)),
-              loop("r", f"{first}[c + 1]", *rows(1),
-                   first=f"{first}[c] + count / {height} * {height}")),
-         Do("return H;", free=True)), result="const double *")
 
 
 def _state():
@@ -316,16 +216,22 @@ def _state():
          loop("i", "3 * V", Do("x0[i] += 0.5 * x[i];")),
          Do("column_vectors(x0, B);"),
          Do("column_vectors(x, y);"),
-         Do("column_differences(B, y, gamma);"),
+         Do("column_differences(nodal, B, y, gamma);"),
          loop("i", "3 * V", Do("x[i] = x0[i] + 0.5 * x[i];")),
          loop("i", "3 * COLUMNS", Do("y[i] = B[i] + 0.5 * y[i];")),
          Do("const double *H;", free=True),
-         Do("H = row_stress(inv->tensor, inv->symmetry, gamma, Q);"),
-         loop("o", "IMAGES",
+         Do("H = row_stress(nodal, inv->tensor, inv->symmetry, gamma, Q);"),
+         Do("images(Q);"),
+         Do("return H;", free=True)), result="const double *")
+
+
+def _images():
+    return Function(
+        "images", filled("Q"), "Q of the rows from the parts that mirror images share",
+        (loop("o", "IMAGES",
               Do("hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];", free=True),
               Do("const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];"),
-              Do("a[0] = sum;", free=True), Do("b[0] = difference;", free=True)),
-         Do("return H;", free=True)), result="const double *")
+              Do("a[0] = sum;", free=True), Do("b[0] = difference;", free=True)),))
 
 
 def _force():
@@ -411,47 +317,26 @@ def _tangent_part():
          Do("const double *H;", free=True),
          Do("H = tensor_state(inv, q0, u, x, y, X, Q);"),
          Do("tensor_force(Q, x, f);"),
-         Do("products(y, X, Z);"),
-         Do("H = row_symmetric(H, inv->symmetry, X, sym);"),
-         Do("row_skew(H, inv->symmetry, Z, skew);"),
-         loop("i", "V", axis3("skew[3 * hobe_pair(i, i) + a] = zero;"), first="OPPOSED"),
+         Do("products(nodal, y, X, Z);"),
+         Do("H = row_symmetric(nodal, H, inv->symmetry, X, sym);"),
+         Do("row_skew(nodal, H, inv->symmetry, Z, skew);"),
+         Do("finish(Q, sym, skew, K);")))
+
+
+def _finish():
+    return Function(
+        "finish", (*given("Q", "sym"), *filled("skew", "K")), "K from the rows",
+        (loop("i", "V", axis3("skew[3 * hobe_pair(i, i) + a] = zero;"), first="OPPOSED"),
          Do("blocks(Q, sym, skew, K);"),
          If("OPPOSED", (Do("opposed_blocks(K);"),))))
 
 
 # ---- the coefficients ----------------------------------------------------------------------------
 
-COEFFICIENTS = """\
-/* Which parities the section keeps apart (kernel.h): of the entries of Q that are odd in y, or in
- * z, none may be more than rounding. */
-static int symmetry(const struct hobe_invariants *inv)
-{
-    const double rounding = 1e-13;
-    double size[NN + NS];
-    int odd[NN + NS], kept = 3;
-    for (int i = 0; i < S; i++)
-        for (int k = 0; k <= i; k++) {
-            const int r = gram_entry(k, i), s = r - NN;
-            const int ii = gram_entry(i, i), kk = gram_entry(k, k);
-            odd[r] = parity[i] ^ parity[k];
-            size[r] = __builtin_fabs(s < 0 ? inv->Qn[r * NN + r] : inv->Qs[s * NS + s]);
-            if (s < 0) /* its own may vanish: of warping functions the law may know means alone */
-                size[r] += __builtin_sqrt(
-                    __builtin_fabs(inv->Qn[ii * NN + ii] * inv->Qn[kk * NN + kk]));
-        }
-    for (int block = 0; block < 2; block++) {
-        const int n = block ? NS : NN, first = block * NN;
-        const double *Q = block ? inv->Qs : inv->Qn;
-        for (int r = 0; r < n; r++)
-            for (int c = 0; c < r; c++) {
-                const double q = Q[r * n + c] / rounding;
-                if (q * q > size[first + r] * size[first + c])
-                    kept &= ~(odd[first + r] ^ odd[first + c]);
-            }
-    }
-    return kept;
-}
 
+# ---- the coefficients ----------------------------------------------------------------------------
+
+COEFFICIENTS = """\
 /* a[16] = int of the axial functions of vectors i, j and columns t, v (e = 0..3) over the length:
  * bit e of the index says whether it is the function itself or its derivative. */
 static void axial_integrals(const struct hobe_invariants *inv, int i, int j, int t, int v,
@@ -497,88 +382,21 @@ static double tensor_entry(const struct hobe_invariants *inv, const double a[16]
     return sum;
 }
 
-/* The coefficients c[3] of Q, of the symmetric and of the skew part, of the pair of columns p in
- * the row of vectors i, j. */
-static void coefficients(const struct hobe_invariants *inv, int i, int j, int p, double c[3])
+static void nodal_coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
+                               double c[3])
 {
     static const int order[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
-    const int t = pair_t[p], v = pair_v[p];
     const int k[4] = {mode[i], mode[j], mode[left[t]], mode[left[v]]};
     double a[16];
+    (void)g; /* of all */
     axial_integrals(inv, i, j, t, v, a);
     for (int n = 0; n < 3; n++)
         c[n] = tensor_entry(inv, a, k, order[n]);
-    const double first = c[1], second = t == v ? 0.0 : c[2];
-    c[1] = first + second;
-    c[2] = 0.5 * (first - second);
-}
-
-/* The vectors i >= j of a row, or of its mirror image if that comes first: both are parts of that
- * one's. */
-static void row_vectors(int r, int *i, int *j)
-{
-    for (int n = 0; n < 2; n++) {
-        for (*i = 0; hobe_pair(*i + 1, 0) <= r; ++*i)
-            ;
-        *j = r - hobe_pair(*i, 0);
-        const int other = symmetric(mirror_of[*i], mirror_of[*j]);
-        r = other < r ? other : r;
-    }
-}
-
-/* The place, among the coefficients of a class of rows, of the one of row r and column p where sums
- * are taken over `height` rows at a time. */
-static int place(int rows, int columns, int height, int r, int p)
-{
-    const int together = r < rows / height * height ? height : 1;
-    return (r - r % together) * columns + p * together + r % together;
-}
-
-/* How many columns meet the rows of class c; their numbers to pair[], unless that is NULL. */
-static int meets(const struct hobe_invariants *inv, int c, const short *first, int *pair)
-{
-    int count = 0;
-    for (int m = 0; m < merged[inv->symmetry]; m++) {
-        const int k = c ^ merged_with[4 * inv->symmetry + m];
-        for (int p = first[k]; p < first[k + 1]; p++, count++)
-            if (pair)
-                pair[count] = p;
-    }
-    return count;
-}
-
-/* The coefficients of the rows of class c: of sums first <= s < last to H[s], which move on. */
-static void row_coefficients(const struct hobe_invariants *inv, int c, int first, int last,
-                             double *H[3])
-{
-    static const int height[3] = {HEIGHTS};
-    const short *of = first == 2 ? skew_row : row, *start = first == 2 ? first_skew_row : first_row;
-    const int rows = start[c + 1] - start[c];
-    int pair[PAIRS];
-    const int columns = meets(inv, c, first == 2 ? first_cross : first_pair, pair);
-    for (int r = 0; r < rows; r++) {
-        int i, j;
-        row_vectors(of[start[c] + r], &i, &j);
-        for (int p = 0; p < columns; p++) {
-            double value[3];
-            coefficients(inv, i, j, pair[p], value);
-            for (int s = first; s < last; s++)
-                H[s][place(rows, columns, height[s], r, p)] = value[s];
-        }
-    }
-    for (int s = first; s < last; s++)
-        H[s] += rows * columns;
+    split(t, v, c);
 }
 
 static void tensor(const struct hobe_invariants *inv)
 {
-    int count = 0;
-    for (int c = 0; c < CLASSES; c++)
-        count += (first_row[c + 1] - first_row[c]) * meets(inv, c, first_pair, NULL);
-    double *H[3] = {inv->tensor, inv->tensor + count, inv->tensor + 2 * count};
-    for (int c = 0; c < CLASSES; c++) {
-        row_coefficients(inv, c, 0, 2, H); /* of Q and of the symmetric part */
-        row_coefficients(inv, c, 2, 3, H); /* of the skew part */
-    }
+    fill_products(nodal, nodal_coefficients, inv, 0, inv->tensor);
 }
-""".replace("HEIGHTS", ", ".join(map(str, HEIGHTS)))
+"""

@@ -88,10 +88,11 @@ static void add_section_plan(struct bench_subject *s, const struct hobe_invarian
     struct bench_plan *plan = s->plan + s->plans++;
     *plan = (struct bench_plan){.name = "section", .taken = !inv->tensor, .inv = *inv};
     plan->inv.tensor = NULL;
-    if (!inv->Qc && inv->stations == k->stations) {
-        plan->flops[0] = (double)k->flops_force;
-        plan->flops[1] = (double)k->flops_tangent;
-    }
+    if (inv->stations != k->stations)
+        return;
+    const struct hobe_plan_cost *cost = k->section ? k->section_cost + inv->symmetry : NULL;
+    plan->flops[0] = (double)(cost ? cost->flops_force : k->flops_force);
+    plan->flops[1] = (double)(cost ? cost->flops_tangent : k->flops_tangent);
 }
 
 /* By products with a tensor, which the element may not have. */
@@ -101,8 +102,7 @@ static enum hobe_status add_tensor_plan(struct bench_subject *s, const struct ho
     const struct hobe_kernel *k = s->kernel;
     struct bench_plan *plan = s->plan + s->plans++;
     *plan = (struct bench_plan){.name = "tensor", .taken = inv->tensor != NULL, .inv = *inv};
-    plan->inv.symmetry = k->symmetry(inv);
-    const struct hobe_tensor_size *size = k->tensor_size + plan->inv.symmetry;
+    const struct hobe_plan_cost *size = k->tensor_cost + inv->symmetry;
     plan->flops[0] = (double)size->flops_force;
     plan->flops[1] = (double)size->flops_tangent;
     plan->inv.tensor = s->tensor = hobe_alloc(size->numbers, sizeof(double), err);
@@ -118,7 +118,7 @@ static enum hobe_status set_plans(struct bench_subject *s, const hobe_element *e
 {
     const struct hobe_invariants *inv = hobe_element_invariants(element);
     add_section_plan(s, inv);
-    return s->kernel->tensor_size && !inv->Qc ? add_tensor_plan(s, inv, err) : HOBE_OK;
+    return s->kernel->tensor && !inv->Qc ? add_tensor_plan(s, inv, err) : HOBE_OK;
 }
 
 static enum hobe_status set_model(struct bench_subject *s, struct hobe_error *err)

@@ -237,8 +237,11 @@ static enum hobe_status constraints_at(const struct tie *tie, const struct insta
                                        struct hobe_error *err)
 {
     double a[ORDERS], s[ORDERS];
-    if (drive_at(tie->angle, instant, a, err) || drive_at(tie->position, instant, s, err))
-        return HOBE_BAD_INPUT;
+    enum hobe_status status = drive_at(tie->angle, instant, a, err);
+    if (!status)
+        status = drive_at(tie->position, instant, s, err);
+    if (status)
+        return status;
     const double sine = sin(a[0]), cosine = cos(a[0]), half = sin(a[0] / 2);
     const double alpha[ORDERS] = {sine, a[1] * cosine, a[2] * cosine - a[1] * a[1] * sine};
     const double beta[ORDERS] = {2 * half * half, a[1] * sine, a[2] * sine + a[1] * a[1] * cosine};

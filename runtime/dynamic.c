@@ -2,16 +2,21 @@
 /* Motion in time: where it starts, which steps it takes, what is kept of it. */
 #include "body.h"
 #include "constraint.h"
+#include "drive.h"
 #include "history.h"
 #include "mass.h"
 #include "solution.h"
 #include "vector3.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* The velocities of the start may be mended by so much, relatively. */
 static const double MENDED = 1e-6;
+
+/* The constraints hold at the start to this, weighed: what a result of statics leaves. */
+static const double CLOSED = 1e-8;
 
 /* A step is tried again where its error is too large, and the next one grows where the error allows
  * a step longer by this at least: each change costs factors. */
@@ -134,29 +139,47 @@ static enum hobe_status find_start(struct run *run, struct hobe_error *err)
     return status;
 }
 
-/* The constraint that velocities break most, said with what they are. */
-static enum hobe_status fail_velocities(struct genalpha *g, const double *rate, int at_rest,
-                                        struct hobe_error *err)
+/* Says which constraint is broken most, r on the multipliers, and what that means: a format for its
+ * name in quotes and by how much. */
+static enum hobe_status fail_broken(const struct genalpha *g, const double *r, const char *format,
+                                    struct hobe_error *err)
 {
     const hobe_model *model = g->s.model;
     const struct tie *worst = NULL;
     double largest = 0;
+    char text[400];
     for (size_t i = 0; i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         for (int k = 0; k < tie->constraints; k++)
-            if (fabs(rate[3 * tie->multiplier + k]) > largest) {
-                largest = fabs(rate[3 * tie->multiplier + k]);
+            if (fabs(r[3 * tie->multiplier + k]) > largest) {
+                largest = fabs(r[3 * tie->multiplier + k]);
                 worst = tie;
             }
     }
-    return hobe_fail(err, HOBE_BAD_INPUT, worst ? worst->where : NULL,
-                     at_rest ? "a drive with a jump: the joint%s%s%s starts with the speed %g (m/s "
-                               "or rad/s) while all is at rest; let it start from rest, or give "
-                               "velocities that fit by hobe.motion"
-                             : "the velocities of the start break the joint%s%s%s by %g (m/s or "
-                               "rad/s); give such as fit it by hobe.motion",
-                     worst && worst->name ? " \"" : "", worst && worst->name ? worst->name : "",
-                     worst && worst->name ? "\"" : "", largest);
+    const char *name = worst && worst->name ? worst->name : "";
+    snprintf(text, sizeof text, format, *name ? " \"" : "", name, *name ? "\"" : "", largest);
+    return hobe_fail(err, HOBE_BAD_INPUT, worst ? worst->where : NULL, "%s", text);
+}
+
+static const char JUMP[] = "a drive with a jump: the joint%s%s%s starts with the speed %g (m/s or "
+                           "rad/s) while all is at rest; let it start from rest, or give "
+                           "velocities that fit by hobe.motion";
+static const char BROKEN[] = "the velocities of the start break the joint%s%s%s by %g (m/s or "
+                             "rad/s); give such as fit it by hobe.motion";
+static const char APART[] =
+    "the start breaks the joint%s%s%s by %g (m or rad): its drive is not at "
+    "0 then; let it begin there, or start from \"equilibrium\"";
+
+/* The constraints hold at the start. */
+static enum hobe_status check_position(struct genalpha *g, struct hobe_error *err)
+{
+    const hobe_model *model = g->s.model;
+    const struct instant instant = {g->now.time, g->now.v, 0, 0};
+    double *r = g->a;
+    memset(r, 0, (size_t)(3 * model->vectors) * sizeof *r);
+    constraint_add(model, g->now.u, &instant, r, NULL);
+    const enum hobe_status status = model_failure(model, err);
+    return status || genalpha_violation(g, r) <= CLOSED ? status : fail_broken(g, r, APART, err);
 }
 
 /* The state at the start: its velocities fit the constraints, or nearly, and are made to. */
@@ -172,6 +195,9 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
                          "the motion must end after its start at t = %g s, got to = %g",
                          g->now.time, run->options.to);
     g->now.begin = g->now.time;
+    status = check_position(g, err);
+    if (status)
+        return status;
     const double speed = genalpha_norm(g, g->now.v);
     status = settle(g, &changed, err);
     if (status)
@@ -180,7 +206,7 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
         for (long i = 0; i < 3 * g->s.model->moving; i++)
             g->now.v[i] -= g->w[i];
         settle_rate(g, &g->now, g->s.u, g->force, rate);
-        return fail_velocities(g, rate, speed == 0, err);
+        return fail_broken(g, rate, speed == 0 ? JUMP : BROKEN, err);
     }
     account_begin(&run->account, g);
     return history_keep(run->history, g, &run->account, run->started, err);
@@ -206,10 +232,9 @@ static enum hobe_status choose_step(struct run *run, double target, int kink,
                                     struct hobe_error *err)
 {
     struct genalpha *g = &run->g;
-    const double last = g->now.step;
+    const int first = g->now.step == 0, differs = genalpha_choose_step(g, target, run->wanted);
     double changed;
-    const int differs = genalpha_choose_step(g, target, run->wanted);
-    if (last == 0 || !(differs || kink))
+    if (first || !(differs || kink))
         return HOBE_OK;
     const enum hobe_status status = settle(g, &changed, err);
     account_begin(&run->account, g);
@@ -303,36 +328,54 @@ static enum hobe_status grow(struct run *run, double target, struct hobe_error *
     return choose_step(run, target, 0, err);
 }
 
-/* The next time at which a step must end after t. */
-static double next_stop(const struct run *run, double t, double *store)
+/* Where steps must end. */
+struct stops {
+    double begin; /* of the motion, s */
+    double store; /* the next state to keep; INFINITY where all are */
+    double kink;  /* the next break of a drive or a load */
+};
+
+static void find_stops(const struct run *run, double t, struct stops *stops)
 {
     const double every = run->options.store;
-    if (every > 0 && !(*store > t))
-        *store += every * ceil((t - *store) / every + 1e-9);
-    return fmin(run->options.to, every > 0 ? *store : INFINITY);
+    stops->kink = drive_next(run->g.s.model, t);
+    if (every > 0 && !(stops->store > t))
+        stops->store = stops->begin + every * floor((t - stops->begin) / every + 1 + 1e-9);
+}
+
+/* Steps up to a time; all states are kept, or that at its end if `last`. */
+static enum hobe_status move_to(struct run *run, double target, int all, int last,
+                                struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    while (!status && run->g.now.time < target) {
+        status = advance(run, target, err);
+        if (status)
+            return status;
+        take(run, target);
+        if (all || (last && run->g.now.time == target))
+            status = history_keep(run->history, &run->g, &run->account, run->started, err);
+        if (!status)
+            status = grow(run, target, err);
+    }
+    return status;
 }
 
 static enum hobe_status move(struct run *run, struct hobe_error *err)
 {
-    struct genalpha_state *now = &run->g.now;
-    double store = now->time;
-    while (now->time < run->options.to) {
-        const double target = next_stop(run, now->time, &store);
-        enum hobe_status status = choose_step(run, target, 0, err);
-        while (!status && now->time < target) {
-            status = advance(run, target, err);
-            if (status)
-                return status;
-            take(run, target);
-            if (!(run->options.store > 0) || now->time == store || now->time == run->options.to)
-                status = history_keep(run->history, &run->g, &run->account, run->started, err);
-            if (!status)
-                status = grow(run, target, err);
-        }
-        if (status)
-            return status;
+    const double *t = &run->g.now.time, to = run->options.to;
+    const int all = !(run->options.store > 0);
+    struct stops stops = {*t, all ? INFINITY : *t, *t};
+    enum hobe_status status = HOBE_OK;
+    while (!status && *t < to) {
+        const int kink = *t == stops.kink;
+        find_stops(run, *t, &stops);
+        const double target = fmin(to, fmin(stops.store, stops.kink));
+        status = choose_step(run, target, kink, err);
+        if (!status)
+            status = move_to(run, target, all, target == to || target == stops.store, err);
     }
-    return HOBE_OK;
+    return status;
 }
 
 /* ---- the verb ------------------------------------------------------------------------------- */
@@ -389,9 +432,9 @@ enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *opti
 {
     struct run run = {.options = *options};
     *history = NULL;
-    enum hobe_status status = check_options(options, err);
+    enum hobe_status status = hobe_model_build(model, err);
     if (!status)
-        status = hobe_model_build(model, err);
+        status = check_options(options, err);
     if (!status)
         status = mass_check(model, "motion in time", err);
     if (status)

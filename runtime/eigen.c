@@ -5,9 +5,13 @@
 #include <stdint.h>
 #include <string.h>
 
-/* LAPACK: eigenvalues of a symmetric matrix; of a pencil with a definite matrix; L D L' factors. */
+/* LAPACK: eigenvalues of a symmetric matrix; of any; of a pencil with a definite matrix; L D L'
+ * factors. */
 extern void dsyev_(const char *job, const char *triangle, const int *n, double *A, const int *lda,
                    double *w, double *work, const int *lwork, int *info);
+extern void dgeev_(const char *left, const char *right, const int *n, double *A, const int *lda,
+                   double *re, double *im, double *VL, const int *ldvl, double *VR, const int *ldvr,
+                   double *work, const int *lwork, int *info);
 extern void dsygvd_(const int *type, const char *job, const char *triangle, const int *n, double *A,
                     const int *lda, double *B, const int *ldb, double *w, double *work,
                     const int *lwork, int *iwork, const int *liwork, int *info);
@@ -102,6 +106,22 @@ enum hobe_status eigen_dense(int n, double *M, double *K, double *nu, int *defin
         return HOBE_NO_MEMORY;
     *definite = info <= n; /* beyond: the Cholesky factors of K end at row info - n */
     return info > 0 && info <= n ? fail_to_converge(n, err) : HOBE_OK;
+}
+
+enum hobe_status eigen_general(int n, double *A, double *re, double *im, double *Z,
+                               struct hobe_error *err)
+{
+    double best;
+    int info, lwork = -1;
+    use_one_thread();
+    dgeev_("N", "V", &n, A, &n, re, im, NULL, &n, Z, &n, &best, &lwork, &info);
+    lwork = (int)best;
+    double *work = hobe_alloc((size_t)lwork, sizeof *work, err);
+    if (!work)
+        return HOBE_NO_MEMORY;
+    dgeev_("N", "V", &n, A, &n, re, im, NULL, &n, Z, &n, work, &lwork, &info);
+    hobe_free(work);
+    return info ? fail_to_converge(n, err) : HOBE_OK;
 }
 
 /* ---- Lanczos -------------------------------------------------------------------------------- */

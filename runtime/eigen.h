@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Eigenproblems of symmetric matrices.  The only room that talks to LAPACK and ARPACK. */
+/* Eigenproblems.  The only room that talks to LAPACK and ARPACK. */
 #ifndef HOBE_EIGEN_H
 #define HOBE_EIGEN_H
 
@@ -16,6 +16,12 @@ enum hobe_status eigen_count_negative(int n, double *A, long *negative, struct h
  * where K is not positive definite. */
 enum hobe_status eigen_dense(int n, double *M, double *K, double *nu, int *definite,
                              struct hobe_error *err);
+
+/* All eigenvalues re[n] + i im[n] of a dense matrix, given by its columns A[n][n] (destroyed), with
+ * the vectors as rows of Z[n][n]: of a conjugate pair, im > 0 first, the real and the imaginary
+ * part of the first one's. */
+enum hobe_status eigen_general(int n, double *A, double *re, double *im, double *Z,
+                               struct hobe_error *err);
 
 /* A pencil of n unknowns as functions: y = M x; x = K^-1 x; and y = B x, B the matrix of the inner
  * product: K, where it is positive definite, or, where that is NULL, M, positive semidefinite. */

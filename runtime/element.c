@@ -373,6 +373,20 @@ static enum hobe_status axis_rule(const struct hobe_kernel *kernel, int count, d
     return HOBE_OK;
 }
 
+/* The arrays of the plan "section", filled, to be freed by the caller. */
+static enum hobe_status fill_section(const struct hobe_kernel *k, struct hobe_invariants *inv,
+                                     struct hobe_error *err)
+{
+    const size_t block = k->section_cost[inv->symmetry].numbers, stations = (size_t)inv->stations;
+    inv->step = inv->step_n ? (ptrdiff_t)block : 0;
+    inv->section = hobe_alloc(stations * k->axial + (inv->step ? stations : 1) * block,
+                              sizeof *inv->section, err);
+    if (!inv->section)
+        return HOBE_NO_MEMORY;
+    k->section(inv);
+    return HOBE_OK;
+}
+
 static enum hobe_status fill_invariants(hobe_element *element,
                                         const struct hobe_element_options *options,
                                         struct hobe_error *err)
@@ -393,7 +407,12 @@ static enum hobe_status fill_invariants(hobe_element *element,
         return status;
     set_reference(element, options->q0);
     status = integrate(element, options, (const double(*)[2])gauss, err);
-    return !status && paper && !varies ? paper_mass(element, options, err) : status;
+    if (!status && paper && !varies)
+        status = paper_mass(element, options, err);
+    if (status || !element->kernel->section)
+        return status;
+    inv->symmetry = element->kernel->symmetry(inv);
+    return fill_section(element->kernel, inv, err);
 }
 
 /* ---- the plan of force and tangent ---------------------------------------------------------- */
@@ -404,8 +423,10 @@ static const double TENSOR_SPEED = 1.25;
 
 int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry)
 {
-    return kernel->tensor_size && (double)kernel->tensor_size[symmetry].flops_tangent <
-                                      TENSOR_SPEED * (double)kernel->flops_tangent;
+    return kernel->tensor && symmetry & HOBE_SYMMETRIC_X &&
+           (double)kernel->tensor_cost[symmetry].flops_tangent <
+                                 TENSOR_SPEED *
+                                     (double)kernel->section_cost[symmetry].flops_tangent;
 }
 
 /* A straight and prismatic element is given its tensor where that is the cheaper way. */
@@ -413,12 +434,9 @@ static enum hobe_status choose_plan(hobe_element *element, struct hobe_error *er
 {
     const struct hobe_kernel *k = element->kernel;
     struct hobe_invariants *inv = &element->invariants;
-    if (element->q0 || !k->tensor_size)
+    if (element->q0 || !hobe_tensor_pays(k, inv->symmetry))
         return HOBE_OK;
-    inv->symmetry = k->symmetry(inv);
-    if (!hobe_tensor_pays(k, inv->symmetry))
-        return HOBE_OK;
-    inv->tensor = hobe_alloc(k->tensor_size[inv->symmetry].numbers, sizeof *inv->tensor, err);
+    inv->tensor = hobe_alloc(k->tensor_cost[inv->symmetry].numbers, sizeof *inv->tensor, err);
     if (!inv->tensor)
         return HOBE_NO_MEMORY;
     k->tensor(inv);
@@ -530,8 +548,12 @@ static enum hobe_status check_at_rest(hobe_element *element, struct hobe_error *
         inv->wx[g] = element->invariants.wx[g] * scale;
         k->shape(inv->xi[g], longest, inv->N + V * g, inv->Nx + V * g);
     }
-    const enum hobe_status status = check_rest(&shorter, err);
+    enum hobe_status status = k->section ? fill_section(k, inv, err) : HOBE_OK;
+    if (!status)
+        status = check_rest(&shorter, err);
     element->rest = shorter.rest;
+    if (k->section)
+        hobe_free(inv->section);
     hobe_free(axis);
     return status;
 }
@@ -593,6 +615,7 @@ void hobe_element_free(hobe_element *element)
 {
     if (element) {
         hobe_free(element->numbers);
+        hobe_free(element->invariants.section);
         hobe_free(element->invariants.tensor);
     }
     hobe_free(element);

@@ -81,6 +81,8 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
                                                                          : DEFAULT_ITERATIONS};
     set_parameters(g, options->rho > 0 ? options->rho : DEFAULT_RHO);
     enum hobe_status status = solver_open(&g->s, model, &(struct hobe_newton){0}, err);
+    if (!status && model->spun) /* Coriolis' force has a skew matrix */
+        status = solver_use_columns(&g->s, err);
     if (status)
         return status;
     double **field[] = {&g->now.u, &g->now.v, &g->now.w, &g->now.a, &g->v,
@@ -205,13 +207,6 @@ static void move(struct genalpha *g)
         }
 }
 
-/* Whether the factors at hand take too many iterations more. */
-static int too_slow(double norm, double last_norm, double goal)
-{
-    const double rate = norm / last_norm;
-    return !(rate < 0.5) || log(goal / norm) / log(rate) > WORTH;
-}
-
 static enum outcome fail(struct genalpha *g, const char *reason)
 {
     g->reason = reason;
@@ -232,25 +227,59 @@ static enum outcome correct(struct genalpha *g, struct hobe_error *err)
     return CONVERGED;
 }
 
+/* How the iteration stands: whether the factors are of this step, and the last tangent of the state
+ * before; norms of the residual, the first and the last. */
+struct progress {
+    int own, turned;
+    double first, last;
+};
+
+/* Within a step, the tangent with the stresses that the last correction expects: that of a thin
+ * beam which turns far in a step swings otherwise. */
+static enum tangent best_tangent(const struct progress *p)
+{
+    return p->own && p->turned ? NEXT_TANGENT : TRUE_TANGENT;
+}
+
+/* Whether the factors at hand take too many iterations more: with those of this step one, since
+ * new ones converge quadratically. */
+static int too_slow(const struct progress *p, double norm, double goal)
+{
+    const double rate = norm / p->last;
+    return !(rate < 0.5) || log(goal / norm) / log(rate) > (p->own ? 1 : WORTH);
+}
+
+/* The residual with a new Newton matrix; where factors of an earlier step have led away, at the
+ * beginning again.  Its norm. */
+static double renew(struct genalpha *g, const struct progress *p, double norm)
+{
+    if (!p->own && !(norm < p->last))
+        predict(g);
+    g->factored = 0;
+    evaluate(g, best_tangent(p));
+    return solver_norm(&g->s, g->s.r, 1);
+}
+
 static enum outcome iterate(struct genalpha *g, struct hobe_error *err)
 {
     struct solver *s = &g->s;
-    double first = 0, last = INFINITY;
+    struct progress p = {.last = INFINITY};
     for (g->iterations = 0; g->iterations <= g->max_iterations; g->iterations++) {
-        evaluate(g, g->factored ? NO_TANGENT : TRUE_TANGENT);
+        evaluate(g, g->factored ? NO_TANGENT : best_tangent(&p));
+        if (model_failure(s->model, err))
+            return ERROR;
         double norm = solver_norm(s, s->r, 1);
         const double wanted = goal(g);
-        first = g->iterations ? first : fmax(norm, wanted);
+        p.first = g->iterations ? p.first : fmax(norm, wanted);
         if (norm <= wanted && genalpha_violation(g, s->r) <= CLOSED)
             return CONVERGED;
-        if (!(norm <= DIVERGED * first))
+        if (!(norm <= DIVERGED * p.first) && (p.own || !g->iterations))
             return fail(g, "Newton's iteration diverges");
-        if (g->factored && g->iterations && too_slow(norm, last, wanted)) {
-            g->factored = 0;
-            evaluate(g, TRUE_TANGENT);
-            norm = solver_norm(s, s->r, 1);
-        }
-        last = norm;
+        if (g->factored && g->iterations && too_slow(&p, norm, wanted))
+            norm = renew(g, &p, norm);
+        p.turned = !g->factored;
+        p.own |= p.turned;
+        p.last = norm;
         const enum outcome outcome = correct(g, err);
         if (outcome != CONVERGED)
             return outcome;
@@ -261,10 +290,10 @@ static enum outcome iterate(struct genalpha *g, struct hobe_error *err)
 enum outcome genalpha_step(struct genalpha *g, struct hobe_error *err)
 {
     const double h = g->now.step;
-    g->s.motion = (struct motion){
-        .instant = {g->now.begin + (double)(g->now.taken + 1) * h, g->v, g->gamma / (h * g->beta)},
-        .force = g->force,
-        .inertia = (1 - g->am) / ((1 - g->af) * h * h * g->beta)};
+    g->s.motion = (struct motion){.instant = {g->now.begin + (double)(g->now.taken + 1) * h, g->v,
+                                              g->gamma / (h * g->beta), 0},
+                                  .force = g->force,
+                                  .inertia = (1 - g->am) / ((1 - g->af) * h * h * g->beta)};
     predict(g);
     return iterate(g, err);
 }

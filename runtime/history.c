@@ -7,6 +7,7 @@
 #include "load.h"
 #include "mass.h"
 #include "solution.h"
+#include "spring.h"
 #include "vector3.h"
 
 #include <string.h>
@@ -18,42 +19,58 @@ enum hobe_status account_open(struct account *account, const hobe_model *model,
 {
     const size_t size = (size_t)(3 * model->vectors);
     *account = (struct account){.Q = hobe_alloc(size, sizeof(double), err),
-                                .Q1 = hobe_alloc(size, sizeof(double), err)};
-    return account->Q && account->Q1 ? HOBE_OK : HOBE_NO_MEMORY;
+                                .Q1 = hobe_alloc(size, sizeof(double), err),
+                                .rate = hobe_alloc(size, sizeof(double), err)};
+    return account->Q && account->Q1 && account->rate ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
 void account_close(struct account *account)
 {
     hobe_free(account->Q);
     hobe_free(account->Q1);
+    hobe_free(account->rate);
 }
 
-static void sum_loads(const hobe_model *model, const double *u, const double *v, double time,
+static void sum_loads(const hobe_model *model, const double *u, const struct instant *instant,
                       double *Q)
 {
-    const struct instant instant = {time, v, 0, 0};
     memset(Q, 0, (size_t)(3 * model->vectors) * sizeof *Q);
-    load_subtract(model, u, &instant, -1, Q, NULL);
+    load_subtract(model, u, instant, -1, Q, NULL);
+}
+
+/* lambda . Phi_t of drives, and what damping takes. */
+static struct power find_power(const hobe_model *model, const double *u,
+                               const struct instant *instant, double *rate)
+{
+    struct power power = {.damped = damping_power(model, u, instant->v)};
+    memset(rate, 0, (size_t)(3 * model->vectors) * sizeof *rate);
+    constraint_rate(model, u, instant, rate);
+    for (long i = 3 * model->moving; i < 3 * model->vectors; i++)
+        power.drives += u[i] * rate[i];
+    return power;
 }
 
 void account_begin(struct account *account, const struct genalpha *g)
 {
-    sum_loads(g->s.model, g->now.u, g->now.v, g->now.time, account->Q);
-    account->power = damping_power(g->s.model, g->now.u, g->now.v);
+    const struct instant instant = {g->now.time, g->now.v, 0, 0};
+    sum_loads(g->s.model, g->now.u, &instant, account->Q);
+    account->power = find_power(g->s.model, g->now.u, &instant, account->rate);
 }
 
 void account_step(struct account *account, const struct genalpha *g)
 {
     const hobe_model *model = g->s.model;
-    const double power = damping_power(model, g->s.u, g->v);
+    const struct instant instant = {g->s.motion.instant.time, g->v, 0, 0};
+    const struct power power = find_power(model, g->s.u, &instant, account->rate);
     double *Q = account->Q;
-    sum_loads(model, g->s.u, g->v, g->s.motion.instant.time, account->Q1);
+    sum_loads(model, g->s.u, &instant, account->Q1);
     for (long v = 0; v < model->moving; v++)
         for (int a = 0; a < 3 && model->unknown[v] >= 0; a++) {
             const long i = 3 * v + a;
             account->loads += (Q[i] + account->Q1[i]) / 2 * (g->s.u[i] - g->now.u[i]);
         }
-    account->damped += g->now.step * (account->power + power) / 2;
+    account->drives += g->now.step * (account->power.drives + power.drives) / 2;
+    account->damped += g->now.step * (account->power.damped + power.damped) / 2;
     account->power = power;
     account->Q = account->Q1;
     account->Q1 = Q;
@@ -88,8 +105,10 @@ static struct hobe_energies measure(struct genalpha *g, const struct account *ac
     const hobe_model *model = g->s.model;
     struct hobe_energies e = {.time = g->now.time,
                               .kinetic = mass_product(model, g->now.v, g->now.v) / 2,
-                              .strain = assemble_energy(model, g->now.u),
+                              .strain = assemble_energy(model, g->now.u) +
+                                        spring_energy(model, g->now.u),
                               .loads = account->loads,
+                              .drives = account->drives,
                               .damped = account->damped};
     const struct instant instant = {g->now.time, g->now.v, 0, 0};
     sum_momenta(g, &e);
@@ -133,9 +152,12 @@ enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct 
                               double started, struct hobe_error *err)
 {
     struct hobe_energies e = measure(g, account);
+    const enum hobe_status failed = model_failure(g->s.model, err);
+    if (failed)
+        return failed;
     if (history->energies.count == 0)
         account->start = e.kinetic + e.strain;
-    e.balance = e.kinetic + e.strain - account->start - e.loads + e.damped;
+    e.balance = e.kinetic + e.strain - account->start - e.loads - e.drives + e.damped;
     g->s.info.energy = e.strain;
     const enum hobe_status status = keep_state(history, g, started, err);
     if (status)

@@ -11,12 +11,15 @@ struct hobe_history {
 };
 
 /* The work since the start, by steps: of loads (Q + Q1)/2 . (u1 - u), exact where they are dead; of
- * damping h (P + P1)/2. */
+ * drives and damping h (P + P1)/2. */
 struct account {
-    double *Q, *Q1;       /* [vectors][3] the loads at the begin and at the end of a step, N */
-    double power;         /* of damping at the begin, W */
-    double loads, damped; /* J */
-    double start;         /* kinetic and strain energy there, J */
+    double *Q, *Q1; /* [vectors][3] the loads at the begin and at the end of a step, N */
+    double *rate;   /* [vectors][3] Phi_t */
+    struct power {
+        double drives, damped;
+    } power;                      /* at the begin, W */
+    double loads, drives, damped; /* J */
+    double start;                 /* kinetic and strain energy there, J */
 };
 
 enum hobe_status account_open(struct account *account, const hobe_model *model,

@@ -616,8 +616,9 @@ enum hobe_status hobe_model_gravity_history(hobe_model *, const char *where, con
 
 /* The scene as seen in a frame that turns steadily about a line: all supports turn with it, and
  * loads keep their direction in it.  In equilibrium there F(q) = Q + w^2 M P q, the centrifugal
- * force on the distance from the axis, P = I - e e': the load factor of statics scales w^2.  About
- * it vibrations feel Coriolis' force, too (hobe_modal). */
+ * force on the distance from the axis, P = I - e e': the load factor of statics scales w^2.
+ * Vibration about it (hobe_modal) and motion feel Coriolis' force, too; velocities and momenta are
+ * those in the frame. */
 struct hobe_spin {
     const char *where;
     double axis[3];  /* e, of any length, global axes */
@@ -675,13 +676,14 @@ struct hobe_solution_info {
     double load;     /* load factor reached: 1 of hobe_static */
     double time;     /* s, of drives, histories and hobe_dynamic */
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
-                        stable; -1: not counted, as by hobe_static */
+                        stable, as it may be with some where the scene spins (hobe_modal tells);
+                        -1: not counted, as by hobe_static */
     double residual; /* of the last iteration */
     double change;   /* of the displacements by one more iteration, relative to their size, in the
                         norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
                         and round-off leave open; NaN where the stiffness has no factors, 0 on a
                         path or without load */
-    double energy;   /* strain energy, J */
+    double energy;   /* strain energy, that of springs included, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
     double seconds;      /* in the verb so far, without set-up */
@@ -826,9 +828,10 @@ struct hobe_energies {
     double kinetic;     /* v'M v/2, J */
     double strain;      /* J */
     double loads;       /* work of all loads since the start, J */
+    double drives;      /* and of the drives of joints */
     double damped;      /* what damping has taken since the start, J */
     double balance;     /* kinetic + strain, less their values at the start, less the work of
-                           loads, and damped: what the integration has lost (< 0), J */
+                           loads and drives, and damped: what the integration has lost (< 0), J */
     double momentum[3]; /* kg m/s */
     double angular_momentum[3]; /* about the origin, kg m^2/s */
     double violation;           /* the largest |Phi|, relative to the scene's size, or rad */
@@ -972,7 +975,7 @@ struct hobe_reaction {
 enum hobe_status hobe_solution_reaction(const hobe_solution *solution, const char *name,
                                         struct hobe_reaction *reaction, struct hobe_error *err);
 
-/* What a spring does, its damper aside. */
+/* What a spring and its damper do. */
 struct hobe_spring_state {
     enum hobe_spring_kind kind;
     double extension[3]; /* the length, m; the angle, rad; or three displacements, m */
@@ -1004,26 +1007,40 @@ struct hobe_modal_options {
 };
 
 /* Undamped small vibrations about an equilibrium: K phi = omega^2 M phi with K the tangent
- * stiffness of elements, corners and loads there (so that prestress counts) and phi'M phi = 1. */
+ * stiffness of elements, corners and loads there (so that prestress counts) and phi'M phi = 1.
+ *
+ * Where the scene spins, with angular velocity w, and the state has a load factor > 0:
+ * (lambda^2 M + 2 lambda M [w]x + K) phi = 0 in the turning frame, the centrifugal force in K, with
+ * complex lambda and phi, phi^H M phi = 1: the motion is Re(phi exp(lambda t)).  Its largest
+ * component is at its crest at t = 0.  Gyroscopic forces may keep stable what K does not: what
+ * counts is the real part of lambda. */
 typedef struct hobe_modes hobe_modes;
 
 struct hobe_modes_info {
-    int count;      /* modes found */
-    int buckling;   /* they are of hobe_buckling */
-    int unstable;   /* modes of the scene with omega^2 < 0, wanted or not; -1: not known */
-    long unknowns;  /* scalar unknowns, multipliers included */
-    double mass;    /* of all beams, bodies and masses, kg */
-    double seconds; /* in hobe_modal without set-up */
+    int count;       /* modes found */
+    int buckling;    /* they are of hobe_buckling */
+    int unstable;    /* modes of the scene that grow, wanted or not; -1: not known */
+    long unknowns;   /* scalar unknowns, multipliers included */
+    double mass;     /* of all beams, bodies and masses, kg */
+    double residual; /* of a turning frame: how much a step of inverse iteration would change the
+                        worst of the shapes, relative, whose square is the error of a frequency */
+    double seconds;  /* in hobe_modal without set-up */
     enum hobe_modal_method method; /* that was used */
 };
 
 struct hobe_mode {
-    double omega2;            /* omega^2, rad^2/s^2; < 0 where the equilibrium is unstable */
-    double omega;             /* rad/s; NaN where omega^2 < 0 */
+    double omega2;            /* -Re(lambda^2), that is omega^2 but for flutter, rad^2/s^2; < 0
+                                 where the equilibrium is unstable */
+    double omega;             /* Im(lambda), rad/s; NaN where lambda is real: divergence */
+    double growth;            /* Re(lambda), 1/s, 0 where stable; beside an omega: flutter, which
+                                 comes as a mode that grows and one that decays */
+    double whirl;             /* of a turning frame: 1 where all circles about the axis as the frame
+                                 turns, -1 against it, 0 where the motion is to and fro */
     double participation[3];  /* phi'M r_a, r_a the unit translation of all along global X, Y, Z,
                                  supports included (they shake), sqrt(kg) */
     double effective_mass[3]; /* its square, kg: over all modes they add up to hobe_modes_info.mass
-                                 less what rests on the supports */
+                                 less what rests on the supports; NaN, as
+                                 participation is, in a turning frame */
 };
 
 /* Vibration about the equilibrium `state` of this model under its loads, or, where NULL, about the
@@ -1049,12 +1066,19 @@ enum hobe_status hobe_modes_mode(const hobe_modes *modes, int i, struct hobe_mod
 enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *beam, double at,
                                   double y, double z, double u[3], struct hobe_error *err);
 
-/* The same of a body's point as in hobe_solution_body. */
+/* The same of the imaginary part of a mode in a turning frame, zero elsewhere: with it the place is
+ * displaced by u cos(omega t) - quadrature sin(omega t). */
+enum hobe_status hobe_modes_quadrature(const hobe_modes *modes, int i, const char *beam, double at,
+                                       double y, double z, double u[3], struct hobe_error *err);
+
+/* Both of a body's point as in hobe_solution_body. */
 enum hobe_status hobe_modes_body(const hobe_modes *modes, int i, const char *body,
-                                 const double point[3], double u[3], struct hobe_error *err);
+                                 const double point[3], double u[3], double quadrature[3],
+                                 struct hobe_error *err);
 
 /* phi_i'M phi_j, summed over the elements: the modal mass, 1, where i = j, and 0 elsewhere, but for
- * rounding.  NaN where there are no such modes. */
+ * rounding and turning frames, whose modes are not orthogonal; the real part, phi_i^H M phi_j.  NaN
+ * where there are no such modes. */
 double hobe_modes_mass(const hobe_modes *modes, int i, int j);
 
 /* ---- buckling (buckling.c) ------------------------------------------------------------------ */

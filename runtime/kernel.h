@@ -45,7 +45,7 @@
 #include <stddef.h>
 
 /* Raised whenever anything below changes its meaning; generated files check it. */
-#define HOBE_KERNEL_ABI 5
+#define HOBE_KERNEL_ABI 6
 
 enum {
     HOBE_LANES = 8,          /* elements in a batch */
@@ -139,18 +139,25 @@ struct hobe_invariants {
     double *Qc;    /* [blocks][normals][shears]  what couples them; NULL where nothing does */
     ptrdiff_t step_n, step_s, step_c; /* from a station's block to the next; 0 where all are one */
     double *mass;   /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
-    int symmetry;   /* of the section, where `tensor` is used: what kernel->symmetry said */
-    double *tensor; /* [kernel->tensor_size[symmetry].numbers], filled by kernel->tensor: force and
-                       tangent are products with it.  NULL: they go from station to station. */
+    int symmetry; /* what kernel->symmetry says of the above, or less; the form "structural" has no
+                     use for it, nor for what follows */
+    ptrdiff_t step;  /* kernel->section_cost[symmetry].numbers where there is a block for each
+                        station; 0 where one is for all */
+    double *section; /* [stations * kernel->axial + blocks * section_cost[symmetry].numbers], filled
+                        by kernel->section: energy, force and tangent from station to station */
+    double *tensor;  /* [kernel->tensor_cost[symmetry].numbers], filled by kernel->tensor: force and
+                        tangent are products with it.  NULL: they go from station to station. */
 };
 
-/* Parities of section modes that an energy keeps apart: of a section that is its own mirror image
- * under y -> -y every integral of a product odd in y vanishes; likewise z. */
-enum { HOBE_SYMMETRIC_Y = 1, HOBE_SYMMETRIC_Z = 2, HOBE_SYMMETRIES = 4 };
+/* Parities that an energy keeps apart: where the section is its own mirror image under y -> -y
+ * every integral of a product odd in y vanishes; likewise z.  And likewise x, where values of modes
+ * count as odd and their slopes d_k' as even, of a beam that is straight and prismatic. */
+enum { HOBE_SYMMETRIC_X = 1, HOBE_SYMMETRIC_Y = 2, HOBE_SYMMETRIC_Z = 4, HOBE_SYMMETRIES = 8 };
 
-/* What force and tangent cost as products with the tensor: operations per element and call, and
- * how many numbers the tensor has. */
-struct hobe_tensor_size {
+/* What force and tangent cost by one plan where the energy keeps certain parities apart:
+ * operations per element and call, straight and prismatic, at kernel->stations; and how many
+ * numbers the tensor, or a block of the section's, has. */
+struct hobe_plan_cost {
     long flops_force, flops_tangent;
     size_t numbers;
 };
@@ -174,7 +181,8 @@ struct hobe_kernel {
     int degree;                /* of the section polynomials; the energy has 4 * degree */
     int normals, shears;       /* sizes of the blocks: M^2 and M(M-1); structural: 6 and 3 */
     long flops_force,
-        flops_tangent;  /* per element and call, counted by the generator, at `stations` */
+        flops_tangent;  /* per element and call, counted by the generator, at `stations`, straight
+                           and prismatic with any section, from station to station */
     size_t scratch;     /* hobe_lanes the caller provides to force and tangent */
     const double *node; /* [nodes]     node positions xi */
     const double (*axis_rule)[2]; /* [stations] positions and weights on [0,1] that the element's
@@ -203,18 +211,23 @@ struct hobe_kernel {
                        const struct hobe_station *station, const struct hobe_law *law,
                        const double *q0);
 
-    /* The other way to force and tangent, for elements that are straight and prismatic: the energy
-     * is a quadratic form in the Gram differences of the nodal vectors, with a tensor that holds
-     * every integral over the volume.  The more a section is symmetric the fewer numbers it has.
-     * By HOBE_SYMMETRIC_Y | HOBE_SYMMETRIC_Z, [HOBE_SYMMETRIES]; NULL, like the two functions,
-     * where the energy is not quartic ("structural"). */
-    const struct hobe_tensor_size *tensor_size;
+    /* Two plans for the sums of eqs. 27 and 28, products with constant matrices both; the more an
+     * element is symmetric the fewer numbers they have.  `section` goes from station to station,
+     * for any beam.  `tensor` takes all at once, for those that are straight and prismatic: the
+     * energy is a quadratic form in the Gram differences of the nodal vectors, with a tensor that
+     * holds every integral over the volume; it needs HOBE_SYMMETRIC_X.  By the bits
+     * HOBE_SYMMETRIC_*, [HOBE_SYMMETRIES]; NULL, like the three functions, where the energy is not
+     * quartic ("structural"). */
+    const struct hobe_plan_cost *section_cost, *tensor_cost;
+    size_t axial; /* numbers of the plan `section` that a station has, beside those of a block */
 
-    /* The symmetries that the quadratic form in inv has. */
+    /* The symmetries that the quadratic forms in inv have. */
     int (*symmetry)(const struct hobe_invariants *inv);
 
-    /* Fills inv->tensor, given by the caller with inv->symmetry, from the rest of inv, which has
-     * one block; inv->symmetry may leave out what kernel->symmetry says. */
+    /* Fill inv->section and inv->tensor, given by the caller with inv->symmetry and inv->step, from
+     * the rest of inv, which for the tensor has one block; inv->symmetry may leave out what
+     * kernel->symmetry says.  Energy, force, tangent and trilinear need the first. */
+    void (*section)(const struct hobe_invariants *inv);
     void (*tensor)(const struct hobe_invariants *inv);
 
     /* Strain energy of a batch, J.  q0: reference nodal vectors, u: displacements from it, both

@@ -489,7 +489,7 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
     for (size_t i = 0; i < model->moments.count; i++)
         subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, instant,
                         factor, r, K);
-    spin_subtract(model, u, factor, r, K);
+    spin_subtract(model, u, instant, factor, r, K);
 }
 
 /* Whether a load acts inside an element, between its ends. */
@@ -512,7 +512,7 @@ void load_inside(const struct hobe_model *model, const double *u, const struct i
         if (is_inside(mass->spec.beam, mass->spec.at, beam, e))
             point_mass_force(model, mass, factor, g, f);
     }
-    spin_inside(model, u, factor, beam, e, f);
+    spin_inside(model, u, instant, factor, beam, e, f);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         if (is_inside(force->beam, force->at, beam, e))

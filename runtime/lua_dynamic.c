@@ -50,14 +50,15 @@ static void write_rows(struct hobe_lua *context, const hobe_history *history)
     struct hobe_text *text = &context->motion;
     const struct hobe_energies *e;
     if (text->size == 0)
-        hobe_text_add(text, "solve,time,kinetic,strain,loads,damped,balance,px,py,pz,lx,ly,lz,"
-                            "violation,violation_rate\n");
+        hobe_text_add(text,
+                      "solve,time,kinetic,strain,loads,drives,damped,balance,px,py,pz,lx,ly,lz,"
+                      "violation,violation_rate\n");
     for (int i = 0; (e = hobe_history_energies(history, i)); i++) {
         const double *p = e->momentum, *l = e->angular_momentum;
         hobe_text_add(
-            text, "%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.3g,%.3g\n",
-            context->solves, e->time, e->kinetic, e->strain, e->loads, e->damped, e->balance, p[0],
-            p[1], p[2], l[0], l[1], l[2], e->violation, e->violation_rate);
+            text, "%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.3g,%.3g\n",
+            context->solves, e->time, e->kinetic, e->strain, e->loads, e->drives, e->damped,
+            e->balance, p[0], p[1], p[2], l[0], l[1], l[2], e->violation, e->violation_rate);
     }
 }
 
@@ -151,8 +152,10 @@ static const struct hobe_lua_field energy_fields[] = {
     BALANCE(kinetic, 'd', "J", "kinetic energy"),
     BALANCE(strain, 'd', "J", "strain energy"),
     BALANCE(loads, 'd', "J", "work of the loads since the start"),
+    BALANCE(drives, 'd', "J", "and of the drives of joints"),
     BALANCE(damped, 'd', "J", "what damping has taken since the start"),
-    BALANCE(balance, 'd', "J", "kinetic + strain - their sum at the start - loads + damped"),
+    BALANCE(balance, 'd', "J",
+            "kinetic + strain - their sum at the start - loads - drives + damped"),
     BALANCE(violation, 'd', NULL, "largest violation of a constraint, of the scene's size or rad"),
     BALANCE(violation_rate, 'd', "1/s", "and its rate"),
     {0}};
@@ -184,7 +187,8 @@ const struct hobe_lua_entry hobe_lua_history_methods[] = {
     {"energies", energies, "d:energies(i)",
      "What the motion has in the i-th state, a table: `time`, s; `kinetic` and `strain` energy, "
      "the "
-     "work of `loads` and what damping has taken, `damped`, since the start, J; `balance`, what "
+     "work of `loads` and `drives` and what damping has taken, `damped`, since the start, J; "
+     "`balance`, what "
      "the integration has lost (negative), J; `momentum`, kg m/s, and `angular_momentum` about the "
      "origin, kg m^2/s; `violation`, the largest of the constraints, relative to the scene's size, "
      "or rad, and `violation_rate`, 1/s.",

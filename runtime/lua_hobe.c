@@ -289,6 +289,7 @@ const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"Sections along a beam", hobe_lua_taper_entries, 0},
     {"Methods of a section", hobe_lua_section_methods, 1},
     {"Beams, supports, loads", hobe_lua_item_entries, 0},
+    {"Functions of time", hobe_lua_drive_entries, 0},
     {"Scenes", hobe_lua_scene_entries, 0},
     {"Solving", hobe_lua_solve_entries, 0},
     {"Results", hobe_lua_result_methods, 1},

@@ -29,6 +29,7 @@ extern const struct hobe_lua_entry hobe_lua_composite_entries[]; /* lua_composit
 extern const struct hobe_lua_entry hobe_lua_taper_entries[];     /* lua_taper.c */
 extern const struct hobe_lua_entry hobe_lua_section_methods[];   /* lua_taper.c */
 extern const struct hobe_lua_entry hobe_lua_item_entries[];      /* lua_item.c */
+extern const struct hobe_lua_entry hobe_lua_drive_entries[];     /* lua_drive.c */
 extern const struct hobe_lua_entry hobe_lua_scene_entries[];     /* lua_scene.c */
 extern const struct hobe_lua_entry hobe_lua_solve_entries[];     /* lua_solve.c */
 extern const struct hobe_lua_entry hobe_lua_result_methods[];    /* lua_solve.c */
@@ -85,6 +86,7 @@ struct hobe_lua {
     int trusted;        /* the case may read any file */
     int solves;         /* calls of a solver verb so far */
     int overridden;     /* some parameter is not at its default */
+    int called;         /* a function of the script is being called by the core */
     int finishing;      /* the report's own files may be staged */
     int opened;         /* calls of io.open so far */
     size_t written;     /* bytes written to their files so far */
@@ -200,6 +202,10 @@ void hobe_lua_start_clock(lua_State *L, double seconds);
  * the two.  Nothing happens where no clock was started. */
 void hobe_lua_pause_clock(void);
 void hobe_lua_resume_clock(void);
+
+/* Whether it is in such work: a function of the script that the core calls there resumes the clock.
+ */
+int hobe_lua_clock_paused(void);
 
 /* Remembers the running line, for the sentence about a limit that is met inside a C function. */
 void hobe_lua_mark_place(lua_State *L);

@@ -50,6 +50,39 @@ int hobe_lua_is_given(lua_State *L, const struct hobe_lua_schema *schema, const 
     KEY(owner, at, KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),                                         \
         .doc = "place on the beam, as a fraction of its length")
 
+/* What a key of a function of time says before what it is of. */
+#define TIME_KEY(key_name, measure, text)                                                          \
+    KEY_OF_OTHER(key_name, "function of time", .unit = measure, .doc = text)
+
+/* The drive that `key` of the table at index 1 gives, or NULL; kept by the item on top. */
+static hobe_drive *keep_drive(lua_State *L, const struct hobe_lua_schema *schema, const char *key,
+                              int integral, int anchor)
+{
+    const int item = lua_gettop(L);
+    hobe_drive *drive = NULL;
+    hobe_lua_push_key(L, 1, schema, key);
+    if (!lua_isnil(L, -1)) {
+        const char *what = lua_pushfstring(L, "%s: %s", schema->name, key);
+        drive = hobe_lua_push_drive(L, item + 1, what, integral);
+        lua_setiuservalue(L, item, anchor);
+    }
+    lua_settop(L, item);
+    return drive;
+}
+
+/* The drive of a motion, which one key gives itself and another its rate. */
+static hobe_drive *keep_motion(lua_State *L, const struct hobe_lua_schema *schema, const char *key,
+                               const char *rate, int anchor)
+{
+    hobe_drive *drive = keep_drive(L, schema, key, 0, anchor);
+    hobe_lua_push_key(L, 1, schema, rate);
+    if (drive && !lua_isnil(L, -1))
+        hobe_lua_fail(L, "%s: %s and %s exclude each other: one follows from the other",
+                      schema->name, key, rate);
+    lua_pop(L, 1);
+    return drive ? drive : keep_drive(L, schema, rate, 1, anchor);
+}
+
 /* ---- beams ---------------------------------------------------------------------------------- */
 
 #define MATERIAL(name, ...) KEY(struct hobe_material, name, KEY_NUMBER, __VA_ARGS__)
@@ -280,6 +313,14 @@ struct joint {
               .doc = "of a universal joint: the axis of the second beam, at a right angle"),       \
         JOINT("point", point, KEY_VECTOR, .unit = "m",                                             \
               .doc = "the place on a body, global, in the reference"),                             \
+        TIME_KEY("angle", "rad",                                                                   \
+                 "turns the second beam about the axis: what is left free of that motion is free " \
+                 "no more.  For kinds whose axis cannot tilt: fixed, revolute, cylindrical, "      \
+                 "prismatic, planar"),                                                             \
+        TIME_KEY("angular_velocity", "rad/s", "the same by its rate, from the angle 0 at t = 0"),  \
+        TIME_KEY("position", "m",                                                                  \
+                 "shifts the second beam along the axis likewise, or lengthens a distance"),       \
+        TIME_KEY("velocity", "m/s", "the same by its rate, from 0 at t = 0"),                      \
         OWN_NAME_KEY(struct joint, joint.name),                                                    \
     {                                                                                              \
         0                                                                                          \
@@ -318,29 +359,31 @@ static void check_place(lua_State *L, const struct hobe_lua_schema *schema)
                       schema->name);
 }
 
-/* What joints have and supports have not: two places, as one number or two, or two points. */
-static void read_two(lua_State *L, struct hobe_joint *joint)
+/* The places of a joint or spring: `at` as one number or, of two parts, two; and whether a point is
+ * given, or two. */
+static void read_places(lua_State *L, const struct hobe_lua_schema *schema, int two, double at[2],
+                        int *at_point)
 {
-    static const struct hobe_lua_key one = {.type = KEY_NUMBER, KEY_WITHIN(0, 1)};
-    static const struct hobe_lua_key two = {.type = KEY_PAIR};
-    hobe_lua_push_key(L, 1, &joint_schema, "at");
+    struct hobe_lua_key key = {.type = KEY_NUMBER, KEY_WITHIN(0, 1)};
+    check_place(L, schema);
+    hobe_lua_push_key(L, 1, schema, "at");
     const int number = lua_type(L, -1) == LUA_TNUMBER;
-    hobe_lua_read_value(L, -1, "joint: at", number ? &one : &two, joint->at);
-    if (number)
-        joint->at[1] = joint->at[0];
-    lua_pop(L, 1);
-    if (joint->at_point && hobe_lua_is_given(L, &joint_schema, "to"))
-        joint->at_point = 2;
+    if (two && !number)
+        key = (struct hobe_lua_key){.type = KEY_PAIR};
+    hobe_lua_read_value(L, -1, lua_pushfstring(L, "%s: at", schema->name), &key, at);
+    if (two && number)
+        at[1] = at[0];
+    lua_pop(L, 2);
+    *at_point = hobe_lua_is_given(L, schema, "point");
+    if (*at_point && two && hobe_lua_is_given(L, schema, "to"))
+        *at_point = 2;
 }
 
 static int push_joint(lua_State *L, const struct hobe_lua_schema *schema)
 {
     struct joint read = {0};
     hobe_lua_read(L, 1, schema, &read);
-    check_place(L, schema);
-    read.joint.at_point = hobe_lua_is_given(L, schema, "point");
-    if (schema == &joint_schema)
-        read_two(L, &read.joint);
+    read_places(L, schema, schema == &joint_schema, read.joint.at, &read.joint.at_point);
     read.joint.kind = (enum hobe_joint_kind)(read.kind - 1);
     struct hobe_joint *j =
         &hobe_lua_push_item(L, ITEM_JOINT, &read.joint, sizeof read.joint)->as.joint;
@@ -349,6 +392,8 @@ static int push_joint(lua_State *L, const struct hobe_lua_schema *schema)
     if (j->beam[1])
         j->beam[1] = hobe_lua_keep_copy(L, j->beam[1], OTHER);
     j->name = keep_own_name(L, j->name);
+    j->angle = keep_motion(L, schema, "angle", "angular_velocity", DRIVE);
+    j->position = keep_motion(L, schema, "position", "velocity", DRIVE_2);
     return 1;
 }
 
@@ -370,6 +415,97 @@ static int joint(lua_State *L)
 {
     return push_joint(L, &joint_schema);
 }
+
+/* ---- springs --------------------------------------------------------------------------------- */
+
+struct spring {
+    struct hobe_spring spring;
+    int kind;
+};
+
+#define SPRING(name, field, kind, ...) KEY_AS(name, struct spring, spring.field, kind, __VA_ARGS__)
+
+static const struct hobe_lua_key spring_keys[] = {
+    SPRING("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1,
+           .doc = "name of the first beam or body"),
+    SPRING("other", beam[1], KEY_TEXT, .position = 2,
+           .doc = "name of the second; the ground where left out"),
+    KEY_OF_OTHER("at", "number or {a, b}",
+                 .doc = "the place on the beam, as a fraction of its length; the places {a, b} on "
+                        "two, or one number for both"),
+    SPRING("point", point, KEY_VECTOR, .unit = "m",
+           .doc = "the place on a body, global, in the reference"),
+    KEY(struct spring, kind, KEY_CHOICE, .choices = "length|torsion|bushing", .word = "length",
+        .doc = "what it acts on.  length: the distance of its places; torsion: the angle by which "
+               "the second beam has turned against the first, or the beam against the ground, "
+               "about the axis, from -pi to pi; bushing: the displacement of the second place "
+               "against the first along the global axes, which move with the first beam, or stay"),
+    KEY_OF_OTHER("stiffness", "number or three numbers", .unit = "N/m or N m/rad",
+                 .doc = "k of the force k (l - length) or moment k (a - angle); of a bushing one "
+                        "for all axes, or three {x, y, z}; 0 where left out"),
+    KEY_OF_OTHER("damping", "number or three numbers", .unit = "N s/m or N m s/rad",
+                 .doc = "of the force or moment by the rate, in hobe.dynamic; likewise"),
+    SPRING("length", length, KEY_NUMBER, KEY_ABOVE(0), .unit = "m",
+           .doc = "where a length has no force; the distance in the reference where left out"),
+    SPRING("angle", angle, KEY_NUMBER, .unit = "rad",
+           .doc = "where torsion has no moment, from the reference"),
+    SPRING("axis", axis, KEY_VECTOR,
+           .doc = "of torsion, in the reference, global; it moves with the first beam, or stays"),
+    SPRING(
+        "to", to, KEY_VECTOR, .unit = "m",
+        .doc =
+            "of a length to the ground: its place there; of two bodies: the place on the second"),
+    KEY_AS("name", struct spring, spring.name, KEY_TEXT, .doc = "its own name, for `r:spring`"),
+    {0}};
+
+static const struct hobe_lua_schema spring_schema = {"spring", spring_keys};
+
+/* The value of a key, as one number or as many as the type says. */
+static void read_spring_key(lua_State *L, const char *name, enum hobe_lua_type type, double *out)
+{
+    const char *what = lua_pushfstring(L, "spring: %s", name);
+    hobe_lua_push_key(L, 1, &spring_schema, name);
+    hobe_lua_read_value(L, -1, what, &(struct hobe_lua_key){.type = type}, out);
+    lua_pop(L, 2);
+}
+
+/* One number, of a bushing for all axes; or, where it has them, three. */
+static void read_rates(lua_State *L, const char *name, int bushing, double value[3])
+{
+    hobe_lua_push_key(L, 1, &spring_schema, name);
+    const int many = bushing && lua_istable(L, -1);
+    lua_pop(L, 1);
+    read_spring_key(L, name, many ? KEY_VECTOR : KEY_NUMBER, value);
+    if (bushing && !many)
+        value[1] = value[2] = value[0];
+}
+
+static int spring(lua_State *L)
+{
+    struct spring read = {0};
+    lua_settop(L, 1);
+    hobe_lua_read(L, 1, &spring_schema, &read);
+    struct hobe_spring *s = &read.spring;
+    s->kind = (enum hobe_spring_kind)(read.kind > 0 ? read.kind - 1 : 0);
+    read_places(L, &spring_schema, s->beam[1] != NULL, s->at, &s->at_point);
+    read_rates(L, "stiffness", s->kind == HOBE_SPRING_BUSHING, s->stiffness);
+    read_rates(L, "damping", s->kind == HOBE_SPRING_BUSHING, s->damping);
+    hobe_lua_push_key(L, 1, &spring_schema, "to");
+    if (s->at_point < 2 && lua_isnil(L, -1) == (s->kind == HOBE_SPRING_LENGTH && !s->beam[1]))
+        hobe_lua_fail(L,
+                      "spring: kind \"length\" from one beam to the ground needs to = {x, y, z}, "
+                      "a point of the ground; no other has it");
+    lua_settop(L, 1);
+    s = &hobe_lua_push_item(L, ITEM_SPRING, s, sizeof *s)->as.spring;
+    s->where = hobe_lua_keep(L, WHERE);
+    s->beam[0] = hobe_lua_keep_copy(L, s->beam[0], NAME);
+    if (s->beam[1])
+        s->beam[1] = hobe_lua_keep_copy(L, s->beam[1], OTHER);
+    s->name = keep_own_name(L, s->name);
+    return 1;
+}
+
+/* ---- shared nodes ---------------------------------------------------------------------------- */
 
 static const struct hobe_lua_key join_keys[] = {
     KEY_AS("beam", struct hobe_join, beam[0], KEY_TEXT, REQUIRED, .position = 1,
@@ -409,10 +545,16 @@ static const struct hobe_lua_key force_keys[] = {
     PART_PLACE(struct hobe_force),
     KEY(struct hobe_force, point, KEY_VECTOR, .unit = "m",
         .doc = "place on a body, {x, y, z}, global, in the reference"),
-    KEY(struct hobe_force, value, KEY_VECTOR, REQUIRED, .unit = "N",
-        .doc = "the force {x, y, z}, global axes"),
+    KEY_OF_OTHER("value", "vector or function", REQUIRED, .unit = "N",
+                 .doc = "the force {x, y, z}, global axes; or `function(t, x, v) return {x, y, z} "
+                        "end`, smooth, of the time, the position of its place, {x, y, z}, m, and "
+                        "its velocity, m/s, which is 0 in statics"),
+    KEY_OF_OTHER("derivative", "function", .unit = "N/m",
+                 .doc = "of such a function: `function(t, x, v) return dF_dx, dF_dv end`, lists of "
+                        "three rows, the second where it is not 0; differences where left out"),
     KEY(struct hobe_force, follower, KEY_FLAG,
         .doc = "whether the force turns with the section or body (false: it keeps its direction)"),
+    TIME_KEY("history", NULL, "a factor"),
     {0}};
 
 static const struct hobe_lua_key moment_keys[] = {
@@ -420,11 +562,13 @@ static const struct hobe_lua_key moment_keys[] = {
     PART_PLACE(struct hobe_moment),
     KEY(struct hobe_moment, value, KEY_VECTOR, REQUIRED, .unit = "N m",
         .doc = "the moment {x, y, z} about the global axes"),
+    TIME_KEY("history", NULL, "a factor"),
     {0}};
 
 static const struct hobe_lua_key gravity_keys[] = {
     KEY(struct hobe_lua_gravity, value, KEY_VECTOR, REQUIRED, .position = 1, .unit = "m/s^2",
         .doc = "the acceleration {x, y, z}, global axes"),
+    TIME_KEY("history", NULL, "a factor"),
     {0}};
 
 static const struct hobe_lua_key spin_keys[] = {
@@ -441,6 +585,44 @@ static const struct hobe_lua_schema moment_schema = {"moment", moment_keys};
 static const struct hobe_lua_schema gravity_schema = {"gravity", gravity_keys};
 static const struct hobe_lua_schema spin_schema = {"spin", spin_keys};
 
+static const struct hobe_lua_key force_value = {
+    .type = KEY_VECTOR, REQUIRED, .doc = "the force {x, y, z}"};
+
+/* Pushes a key of the force at index 1; whether it is a function. */
+static int push_function(lua_State *L, const char *key)
+{
+    hobe_lua_push_key(L, 1, &force_schema, key);
+    return lua_isfunction(L, -1);
+}
+
+/* The value of the force on top of the stack: a vector, or functions that it keeps. */
+static void read_force(lua_State *L, struct hobe_force *force)
+{
+    const int item = lua_gettop(L), derived = push_function(L, "derivative");
+    if (!derived && !lua_isnil(L, -1))
+        hobe_lua_fail(L, "force: derivative must be a function, got %s", hobe_lua_describe(L, -1));
+    const int called = push_function(L, "value");
+    if (derived && !called)
+        hobe_lua_fail(L, "force: only a value that is a function has a derivative");
+    if (!called)
+        hobe_lua_read_value(L, -1, "force: value", &force_value, force->value);
+    else {
+        struct hobe_lua_scripts *scripts = lua_newuserdatauv(L, sizeof *scripts, 2);
+        const int kept = lua_gettop(L);
+        scripts->value = hobe_lua_push_script(L, item + 2, "force: value");
+        lua_setiuservalue(L, kept, 1);
+        scripts->derivative =
+            derived ? hobe_lua_push_script(L, item + 1, "force: derivative") : NULL;
+        if (derived)
+            lua_setiuservalue(L, kept, 2);
+        lua_setiuservalue(L, item, DRIVE_2);
+        force->function = hobe_lua_force;
+        force->derivative = derived ? hobe_lua_force_derivative : NULL;
+        force->context = scripts;
+    }
+    lua_settop(L, item);
+}
+
 static int force(lua_State *L)
 {
     struct hobe_force read = {0};
@@ -450,6 +632,8 @@ static int force(lua_State *L)
     struct hobe_force *f = &hobe_lua_push_item(L, ITEM_FORCE, &read, sizeof read)->as.force;
     f->where = hobe_lua_keep(L, WHERE);
     f->beam = hobe_lua_keep_copy(L, f->beam, NAME);
+    f->history = keep_drive(L, &force_schema, "history", 0, DRIVE);
+    read_force(L, f);
     return 1;
 }
 
@@ -461,6 +645,7 @@ static int moment(lua_State *L)
     struct hobe_moment *m = &hobe_lua_push_item(L, ITEM_MOMENT, &read, sizeof read)->as.moment;
     m->where = hobe_lua_keep(L, WHERE);
     m->beam = hobe_lua_keep_copy(L, m->beam, NAME);
+    m->history = keep_drive(L, &moment_schema, "history", 0, DRIVE);
     return 1;
 }
 
@@ -471,6 +656,7 @@ static int gravity(lua_State *L)
     struct hobe_lua_gravity *g =
         &hobe_lua_push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
     g->where = hobe_lua_keep(L, WHERE);
+    g->history = keep_drive(L, &gravity_schema, "history", 0, DRIVE);
     return 1;
 }
 
@@ -533,6 +719,13 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      "Directions that move with a beam are carried by its section's slopes y and z and by their "
      "normal.",
      &joint_schema, NULL},
+    {"spring", spring,
+     "hobe.spring{\"a\", \"b\", at = {1, 0}, stiffness =, damping =} or "
+     "hobe.spring{\"a\", at =, to = {x, y, z}, stiffness =, damping =}",
+     "A spring and damper without mass between places of two beams or bodies, or of one and the "
+     "ground.  It "
+     "holds a scene as a support does, along what it acts on.",
+     &spring_schema, NULL},
     {"join", join, "hobe.join{\"a\", \"b\", at = {1, 0}}",
      "Makes ends of two beams one node, rigidly, at any angle; the ends must coincide.",
      &join_schema, NULL},
@@ -552,8 +745,9 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      "The scene as seen in a frame that turns steadily with all its supports: its equilibrium "
      "bears the centrifugal force w^2 M P q, P the projection across the axis, which moves with "
      "what it acts on.  Forces keep their direction in the turning frame.  The load factor of "
-     "statics and paths scales w^2.  `hobe.modal` about such an equilibrium minds Coriolis' force; "
-     "critical speeds of a shaft are w sqrt(factor) of `hobe.buckling`.",
+     "statics and paths scales w^2.  Vibration about such an equilibrium and motion feel Coriolis' "
+     "force, too; velocities are those in the turning frame.  Critical speeds of a shaft are w "
+     "sqrt(factor) of `hobe.buckling`.",
      &spin_schema, NULL},
     {"motion", motion, "hobe.motion{[\"beam\",] velocity =, angular_velocity =, about =}",
      "Velocities with which `hobe.dynamic` starts: those of a rigid motion.  Of several that speak "

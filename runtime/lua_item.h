@@ -8,6 +8,8 @@
 #define HOBE_LUA_ITEM  "hobe.item"
 #define HOBE_LUA_SCENE "hobe.scene"
 #define HOBE_LUA_CURVE "hobe.curve"
+#define HOBE_LUA_DRIVE "hobe.drive"
+#define HOBE_LUA_RAMP  "hobe.ramp"
 
 enum hobe_lua_kind {
     ITEM_BEAM,
@@ -20,12 +22,14 @@ enum hobe_lua_kind {
     ITEM_SPIN,
     ITEM_JOIN,
     ITEM_JOINT,
-    ITEM_MOTION
+    ITEM_MOTION,
+    ITEM_SPRING
 };
 
 struct hobe_lua_gravity {
     const char *where;
     double value[3]; /* m/s^2 */
+    hobe_drive *history;
 };
 
 /* A checked item as userdata.  The strings, section and curve it points to are kept in its user
@@ -44,6 +48,7 @@ struct hobe_lua_item {
         struct hobe_join join;
         struct hobe_joint joint;
         struct hobe_motion motion;
+        struct hobe_spring spring;
     } as;
 };
 
@@ -77,7 +82,7 @@ struct hobe_lua_item *hobe_lua_push_item(lua_State *L, enum hobe_lua_kind kind, 
 
 /* Keeps the string on top of the stack alive with the item below it as user value `anchor`, and
  * returns it; the same for a copy of s. */
-enum { WHERE = 1, NAME, OTHER, CURVE, OWN_NAME, ANCHORS = OWN_NAME };
+enum { WHERE = 1, NAME, OTHER, CURVE, OWN_NAME, DRIVE, DRIVE_2, ANCHORS = DRIVE_2 };
 const char *hobe_lua_keep(lua_State *L, int anchor);
 const char *hobe_lua_keep_copy(lua_State *L, const char *s, int anchor);
 
@@ -97,6 +102,27 @@ hobe_solution **hobe_lua_new_result(lua_State *L, int scene);
 /* The scene and the table of options of a verb, the schema's name: its first two arguments. */
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
                                           void *options, size_t size);
+
+/* Pushes a drive as userdata, and returns it: of the value at the absolute `index`, called `what`
+ * in sentences; the integral of it where it is a velocity.  Raises on values that are none.
+ * (lua_drive.c, so below) */
+hobe_drive *hobe_lua_push_drive(lua_State *L, int index, const char *what, int integral);
+
+/* A function of the script that the core may call at any time, on a thread of its own. */
+typedef struct script hobe_lua_script;
+
+/* Pushes that of the function at the absolute index as userdata, which must outlive its calls. */
+hobe_lua_script *hobe_lua_push_script(lua_State *L, int function, const char *what);
+
+/* A hobe_force_function and its derivative; their context is a struct hobe_lua_scripts. */
+struct hobe_lua_scripts {
+    hobe_lua_script *value, *derivative;
+};
+enum hobe_status hobe_lua_force(void *context, double t, const double x[3], const double v[3],
+                                double F[3], struct hobe_error *err);
+enum hobe_status hobe_lua_force_derivative(void *context, double t, const double x[3],
+                                           const double v[3], double G[2][3][3],
+                                           struct hobe_error *err);
 
 /* The kernel called name; raises where there is none. */
 const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name);

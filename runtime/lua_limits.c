@@ -38,6 +38,7 @@ static struct {
     struct place refusal;
     double seconds, spent, since;
     int running; /* the clock */
+    int paused;
     volatile sig_atomic_t late;
     struct place place; /* of the last library call */
     char time_sentence[120], memory_sentence[120];
@@ -202,6 +203,7 @@ void hobe_lua_pause_clock(void)
     if (!limits.running)
         return;
     set_timer(0);
+    limits.paused = 1;
     limits.spent += now() - limits.since;
 }
 
@@ -211,7 +213,13 @@ void hobe_lua_resume_clock(void)
         return;
     double left = limits.seconds - limits.spent;
     limits.since = now();
+    limits.paused = 0;
     set_timer(left > 1e-3 ? left : 1e-3);
+}
+
+int hobe_lua_clock_paused(void)
+{
+    return limits.paused;
 }
 
 void hobe_lua_mark_place(lua_State *L)

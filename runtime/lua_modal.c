@@ -33,7 +33,10 @@ struct summary {
 static const struct hobe_lua_field fields[] = {
     FOUND("count", modes.count, 'i', NULL, "modes found"),
     FOUND("unstable", modes.unstable, 'i', NULL,
-          "modes of the scene with omega^2 < 0, asked for or not; -1 where they were not counted"),
+          "modes of the scene that grow, asked for or not; -1 where they were not counted"),
+    FOUND("residual", modes.residual, 'd', NULL,
+          "of a turning frame: how much a step of inverse iteration would change the worst shape, "
+          "relative; its square is about the error of a frequency"),
     FOUND("mass", modes.mass, 'd', "kg", "of all beams, bodies and masses"),
     FOUND("unknowns", modes.unknowns, 'l', NULL, "scalar unknowns"),
     FOUND("setup_seconds", model.setup, 'd', "s", "building the scene"),
@@ -105,6 +108,18 @@ static int omega2(lua_State *L)
     return 1;
 }
 
+static int growth(lua_State *L)
+{
+    lua_pushnumber(L, read_mode(L, "growth").growth);
+    return 1;
+}
+
+static int whirl(lua_State *L)
+{
+    lua_pushnumber(L, read_mode(L, "whirl").whirl);
+    return 1;
+}
+
 static int participation(lua_State *L)
 {
     return hobe_lua_push_numbers(L, read_mode(L, "participation").participation, 3);
@@ -153,51 +168,79 @@ static int frequencies(lua_State *L)
     return 1;
 }
 
-static int shape(lua_State *L)
+typedef enum hobe_status mode_point(const hobe_modes *, int, const char *, double, double, double,
+                                    double[3], struct hobe_error *);
+
+/* The displacement {x, y, z} of a place in a mode, as the method `name` gives it. */
+static int push_point(lua_State *L, const char *name, mode_point *point)
 {
     static const struct hobe_lua_key at_key = {
         .name = "at", .type = KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1)};
     static const struct hobe_lua_key offset_key = {.name = "offset", .type = KEY_NUMBER};
     const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
     struct hobe_error err;
-    double at, y, z, u[3], point[3];
+    double at, y, z, u[3], quadrature[3], of[3];
     lua_settop(L, 6);
-    const int i = read_index(L, modes, "shape");
-    const char *beam = hobe_lua_text(L, 3, "shape: the beam");
+    const int i = read_index(L, modes, name);
+    const char *beam = hobe_lua_text(L, 3, lua_pushfstring(L, "%s: the beam", name));
     if (hobe_model_has_body(modes->model, beam)) {
-        const int given = hobe_lua_read_body_point(L, 4, "shape", point);
-        if (hobe_modes_body(modes->modes, i, beam, given ? point : NULL, u, &err))
+        const int given = hobe_lua_read_body_point(L, 4, name, of);
+        if (hobe_modes_body(modes->modes, i, beam, given ? of : NULL, u, quadrature, &err))
             hobe_lua_raise(L, &err);
-        return hobe_lua_push_numbers(L, u, 3);
+        return hobe_lua_push_numbers(L, point == hobe_modes_quadrature ? quadrature : u, 3);
     }
-    hobe_lua_read_value(L, 4, "shape: at", &at_key, &at);
-    hobe_lua_read_value(L, 5, "shape: y", &offset_key, &y);
-    hobe_lua_read_value(L, 6, "shape: z", &offset_key, &z);
-    if (hobe_modes_point(modes->modes, i, beam, at, y, z, u, &err))
+    hobe_lua_read_value(L, 4, lua_pushfstring(L, "%s: at", name), &at_key, &at);
+    hobe_lua_read_value(L, 5, lua_pushfstring(L, "%s: y", name), &offset_key, &y);
+    hobe_lua_read_value(L, 6, lua_pushfstring(L, "%s: z", name), &offset_key, &z);
+    if (point(modes->modes, i, beam, at, y, z, u, &err))
         hobe_lua_raise(L, &err);
     return hobe_lua_push_numbers(L, u, 3);
+}
+
+static int shape(lua_State *L)
+{
+    return push_point(L, "shape", hobe_modes_point);
+}
+
+static int quadrature(lua_State *L)
+{
+    return push_point(L, "quadrature", hobe_modes_quadrature);
 }
 
 const struct hobe_lua_entry hobe_lua_modes_methods[] = {
     {"frequency", frequency, "m:frequency(i)",
      "Natural frequency of the i-th mode, i = 1, 2, ... with omega^2 ascending, rad/s; not a "
-     "number where omega^2 < 0.",
+     "number where the mode grows without vibrating.  Of a scene that spins: in the turning frame.",
      NULL, NULL},
     {"frequencies", frequencies, "m:frequencies()", "All of them in a list, rad/s.", NULL, NULL},
     {"omega2", omega2, "m:omega2(i)",
-     "Its square, rad^2/s^2; negative for a mode in which the equilibrium is unstable.", NULL,
-     NULL},
+     "Its square, rad^2/s^2; negative for a mode in which the equilibrium is unstable.  In a "
+     "turning frame -Re lambda^2 of the motion exp(lambda t).",
+     NULL, NULL},
+    {"growth", growth, "m:growth(i)",
+     "Re lambda, 1/s: > 0 for a mode that grows, as exp(lambda t).  With a frequency beside it, "
+     "flutter.",
+     NULL, NULL},
+    {"whirl", whirl, "m:whirl(i)",
+     "In a turning frame: 1 where all circles about the axis as the frame turns, -1 against it, 0 "
+     "where the motion is to and fro.",
+     NULL, NULL},
     {"shape", shape, "m:shape(i, beam, at [, y, z])",
      "`{u1, u2, u3}` of the i-th mode at a place, as `r:displacement` takes it, global axes, "
      "normalised to modal mass 1 (phi' M phi = 1), so in 1/sqrt(kg); of buckling to phi' G phi = "
      "-1 J, so in m.",
+     NULL, NULL},
+    {"quadrature", quadrature, "m:quadrature(i, beam, at [, y, z])",
+     "`{u1, u2, u3}`, a quarter period out of phase with the shape, that modes of a turning frame "
+     "have: at the phase p of its cycle the place is displaced by shape cos p - quadrature sin p.  "
+     "The largest component is at its crest at p = 0.",
      NULL, NULL},
     {"factor", factor, "m:factor(i)",
      "Of buckling: the i-th critical factor of all loads, ascending.", NULL, NULL},
     {"factors", factors, "m:factors()", "All of them in a list.", NULL, NULL},
     {"participation", participation, "m:participation(i)",
      "`{x, y, z}`: participation factors phi' M r in sqrt(kg), r the unit translation of the "
-     "whole scene, supports included, along each global axis.",
+     "whole scene, supports included, along each global axis; no numbers in a turning frame.",
      NULL, NULL},
     {"effective_mass", effective_mass, "m:effective_mass(i)",
      "`{x, y, z}`: their squares, kg.  Over all modes they add up to `m.mass` less what rests on "
@@ -283,7 +326,9 @@ static int buckling(lua_State *L)
 const struct hobe_lua_entry hobe_lua_modal_entries[] = {
     {"modal", modal, "hobe.modal(scene [, {modes =, state =, method =}])",
      "Natural frequencies and mode shapes of small undamped vibrations about the reference, or "
-     "about the equilibrium of a result: K phi = omega^2 M phi.  Every beam needs a density.  "
+     "about the equilibrium of a result: K phi = omega^2 M phi.  Where the scene has "
+     "a `hobe.spin`, about a result: with Coriolis' force in the turning frame, lambda^2 M phi + 2 "
+     "lambda M w x phi + K phi = 0.  Every beam needs a density.  "
      "Returns a set of modes; its field `method` is the one that was used.  An unstable "
      "equilibrium is said in a note with the results.",
      &modal_schema, fields},

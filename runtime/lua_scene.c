@@ -84,13 +84,16 @@ static enum hobe_status add_item(hobe_model *model, const struct hobe_lua_item *
     case ITEM_MOMENT:
         return hobe_model_moment(model, &item->as.moment, err);
     case ITEM_GRAVITY:
-        return hobe_model_gravity(model, item->as.gravity.where, item->as.gravity.value, err);
+        return hobe_model_gravity_history(model, item->as.gravity.where, item->as.gravity.value,
+                                          item->as.gravity.history, err);
     case ITEM_SPIN:
         return hobe_model_spin(model, &item->as.spin, err);
     case ITEM_JOIN:
         return hobe_model_join(model, &item->as.join, err);
     case ITEM_JOINT:
         return hobe_model_joint(model, &item->as.joint, err);
+    case ITEM_SPRING:
+        return hobe_model_spring(model, &item->as.spring, err);
     case ITEM_MOTION:
         return hobe_model_motion(model, &item->as.motion, err);
     }

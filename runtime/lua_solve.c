@@ -105,11 +105,12 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
     SOLVED("negative", solution.negative, 'i', NULL,
            "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "
-           "stable; -1: not counted"),
+           "stable, as it may be with some where the scene spins (hobe.modal tells); -1: not "
+           "counted"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
-    SOLVED("time", solution.time, 'd', "s", "of a state of a motion"),
+    SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
     SOLVED("setup_seconds", model.setup, 'd', "s", "building the scene"),
     SOLVED("solve_seconds", solution.seconds, 'd', "s", "solving"),
@@ -366,8 +367,30 @@ static int reaction(lua_State *L)
     const char *name = hobe_lua_text(L, 2, "reaction: the name");
     if (hobe_solution_reaction(result->solution, name, &is, &err))
         hobe_lua_raise(L, &err);
-    return push_parts(L,
-                      (const struct part[]){{"force", is.force, 3}, {"moment", is.moment, 3}, {0}});
+    return push_parts(
+        L, (const struct part[]){
+               {"force", is.force, 3}, {"moment", is.moment, 3}, {"power", &is.power, 1}, {0}});
+}
+
+/* r:spring(name) */
+static int spring(lua_State *L)
+{
+    static const struct {
+        const char *extension, *force;
+        int parts;
+    } kinds[] = {[HOBE_SPRING_LENGTH] = {"length", "force", 1},
+                 [HOBE_SPRING_TORSION] = {"angle", "moment", 1},
+                 [HOBE_SPRING_BUSHING] = {"displacement", "force", 3}};
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_spring_state is;
+    struct hobe_error err;
+    const char *name = hobe_lua_text(L, 2, "spring: the name");
+    if (hobe_solution_spring(result->solution, name, &is, &err))
+        hobe_lua_raise(L, &err);
+    const int parts = kinds[is.kind].parts;
+    return push_parts(L, (const struct part[]){{kinds[is.kind].extension, is.extension, parts},
+                                               {kinds[is.kind].force, is.force, parts},
+                                               {0}});
 }
 
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
@@ -422,6 +445,12 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"reaction", reaction, "r:reaction(name)",
      "What the clamp or support called `name` does to its beam, a joint to its second beam: "
      "`force`, `{x, y, z}`, N, and `moment` about the place where it sits, N m, global axes.",
+     NULL, NULL},
+    {"spring", spring, "r:spring(name)",
+     "What the spring called `name` does, its damper included: `length`, m, and `force` that pulls "
+     "its places together, N; of torsion `angle`, rad, and `moment` that turns the second beam "
+     "back, N m; of a bushing `displacement`, `{x, y, z}`, m, and `force` that pushes the second "
+     "place back, N.",
      NULL, NULL},
     {"report", report, "r:report()", "All fields of the result in a table.", NULL, NULL},
     {0}};
@@ -482,6 +511,8 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
                                           void *options, size_t size)
 {
     lua_settop(L, 2);
+    if (hobe_lua_context(L)->called)
+        hobe_lua_fail(L, "%s: a function that a solver calls cannot solve", schema->name);
     struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
     if (!scene)
         hobe_lua_fail(L, "%s must be given a scene, %s(hobe.scene{...}), got %s", schema->name,
@@ -508,6 +539,9 @@ struct options {
 
 static const struct hobe_lua_key static_keys[] = {
     NEWTON(steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 1, .doc = "load steps to begin with"),
+    NEWTON(time, KEY_NUMBER, KEY_FROM(0), .unit = "s",
+           .doc = "when functions of time are taken; load steps go to the motions of joints there, "
+                  "as to the loads"),
     NEWTON(tolerance, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-9,
            .doc = "residual to reach, relative to the load"),
     NEWTON(max_iterations, KEY_WHOLE, KEY_WITHIN(1, 1000), .fallback = 30,

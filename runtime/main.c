@@ -290,15 +290,16 @@ static void join_modes(struct hobe_text *text, const struct hobe_kernel *kernel)
 /* The two ways to force and tangent, what they cost, and where each is taken. */
 static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
 {
-    static const char *const symmetric[HOBE_SYMMETRIES] = {
-        "any", "symmetric in y", "symmetric in z", "symmetric in y and z"};
+    static const char *const keeps[HOBE_SYMMETRIES] = {
+        "curved or tapered, any section",  "straight, any section",
+        "curved or tapered, symmetric y",  "straight, symmetric in y",
+        "curved or tapered, symmetric z",  "straight, symmetric in z",
+        "curved or tapered, symmetric yz", "straight, symmetric in y and z",
+    };
+    (void)keeps;
     hobe_text_add(text, "flops of force, and of force and tangent:\n");
     hobe_text_add(text, "  from station to station, any beam: %ld, %ld\n", k->flops_force,
                   k->flops_tangent);
-    for (int s = 0; k->tensor_size && s < HOBE_SYMMETRIES; s++)
-        hobe_text_add(text, "  as a tensor, straight and prismatic, section %s: %ld, %ld%s\n",
-                      symmetric[s], k->tensor_size[s].flops_force, k->tensor_size[s].flops_tangent,
-                      hobe_tensor_pays(k, s) ? " (taken: cheaper)" : "");
 }
 
 static int explain_element(const char *name)

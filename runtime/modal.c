@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Natural frequencies and mode shapes about an equilibrium: K phi = omega^2 M phi.
+/* Natural frequencies and mode shapes about an equilibrium: K phi = omega^2 M phi; where the frame
+ * turns, gyroscopic.c goes on from these modes.
  *
  * Joints and rigid corners border K with multipliers, which have no mass: Lanczos' method in the
  * inner product of M keeps to the finite part of that pencil. */
+#include "gyroscopic.h"
 #include "mass.h"
 #include "modes.h"
 #include "pattern.h"
 #include "solution.h"
+#include "spin.h"
+#include "vector3.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -27,30 +31,52 @@ static void write_note(hobe_modes *modes)
                  modes->info.count);
 }
 
-static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, hobe_modes **modes,
-                              struct hobe_error *err)
+/* The modes of K and M, at least so many as the options ask for, in the pencil. */
+static enum hobe_status solve_pencil(struct pencil *s, const struct hobe_modal_options *o,
+                                     double load, int *unstable, struct hobe_error *err)
 {
-    int unstable = 0;
-    enum hobe_status status = mass_check(s->model, "vibration", err);
-    if (!status)
-        status = pencil_open(s, "modal analysis about a loaded state", err);
-    if (!status)
-        status = pencil_choose(s, o, err);
-    if (status)
-        return status;
-    pencil_tangent(s, s->state ? s->state->info.load : 0, s->Ax);
+    pencil_tangent(s, load, s->Ax);
     mass_matrix(s->model, 1, &(struct matrix){COLUMNS, s->Mx});
     pattern_scale(s->model, &(struct matrix){COLUMNS, s->Ax}, s->scale);
     pencil_scale(s, s->Ax);
     pencil_scale(s, s->Mx);
-    status = pencil_solve(s, o, &unstable, err);
-    if (status)
-        return status;
+    return pencil_solve(s, o, unstable, err);
+}
+
+static enum hobe_status take(struct pencil *s, const struct hobe_modal_options *o, int unstable,
+                             hobe_modes **modes, struct hobe_error *err)
+{
     *modes = modes_take(s, o->modes, o->method, err);
     if (!*modes)
         return HOBE_NO_MEMORY;
     (*modes)->info.unstable = unstable;
     write_note(*modes);
+    return HOBE_OK;
+}
+
+static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, hobe_modes **modes,
+                              struct hobe_error *err)
+{
+    const double load = s->state ? s->state->info.load : 0;
+    double w[3] = {0};
+    int unstable = 0;
+    enum hobe_status status = mass_check(s->model, "vibration", err);
+    if (!status)
+        status = pencil_open(s, "modal analysis about a loaded state", err);
+    if (!status)
+        status = spin_velocity(s->model, load, w, err);
+    if (!status)
+        status = pencil_choose(s, o, err);
+    if (status)
+        return status;
+    const int turning = dot3(w, w) > 0;
+    const struct hobe_modal_options basis = turning ? gyroscopic_basis(s, o) : *o;
+    status = solve_pencil(s, &basis, load, &unstable, err);
+    if (!status)
+        status = turning ? gyroscopic_modes(s, o, w, unstable, modes, err)
+                         : take(s, o, unstable, modes, err);
+    if (status)
+        return status;
     mass_translation(s->model, 0, s->r);
     (*modes)->info.mass = mass_product(s->model, s->r, s->r);
     return HOBE_OK;
@@ -63,6 +89,16 @@ enum hobe_status hobe_modal(hobe_model *model, const hobe_solution *state,
     return modes_find(&(struct pencil){.model = model, .state = state}, options, solve, modes, err);
 }
 
+/* What of the mode's angular momentum about the axis is in phase with its energy: for a motion
+ * a cos(omega t) - b sin(omega t) it is -omega w.(a x b), summed over the mass. */
+static double whirl(const hobe_modes *modes, const double *a, const double *b, double *field)
+{
+    const double w = length3(modes->w);
+    for (long v = 0; v < modes->model->vectors; v++)
+        cross3(modes->w, a + 3 * v, field + 3 * v);
+    return -2 * mass_product(modes->model, b, field) / w;
+}
+
 enum hobe_status hobe_modes_mode(const hobe_modes *modes, int i, struct hobe_mode *mode,
                                  struct hobe_error *err)
 {
@@ -72,11 +108,17 @@ enum hobe_status hobe_modes_mode(const hobe_modes *modes, int i, struct hobe_mod
     double *field = hobe_alloc((size_t)(3 * modes->model->vectors), sizeof *field, err);
     if (!field)
         return HOBE_NO_MEMORY;
-    mode->omega2 = modes->mu[i];
-    mode->omega = mode->omega2 < 0 ? NAN : sqrt(mode->omega2);
+    const double *exponent = modes->exponent ? modes->exponent + 2 * i : NULL;
+    *mode = (struct hobe_mode){.omega2 = modes->mu[i]};
+    mode->omega = exponent           ? exponent[1] > 0 ? exponent[1] : NAN
+                  : mode->omega2 < 0 ? NAN
+                                     : sqrt(mode->omega2);
+    mode->growth = exponent ? exponent[0] : mode->omega2 < 0 ? sqrt(-mode->omega2) : 0;
+    if (exponent)
+        mode->whirl = whirl(modes, shape, modes->quadrature + 3 * i * modes->model->vectors, field);
     for (int a = 0; a < 3; a++) {
         mass_translation(modes->model, a, field);
-        mode->participation[a] = mass_product(modes->model, shape, field);
+        mode->participation[a] = exponent ? NAN : mass_product(modes->model, shape, field);
         mode->effective_mass[a] = mode->participation[a] * mode->participation[a];
     }
     hobe_free(field);
@@ -86,5 +128,11 @@ enum hobe_status hobe_modes_mode(const hobe_modes *modes, int i, struct hobe_mod
 double hobe_modes_mass(const hobe_modes *modes, int i, int j)
 {
     const double *a = modes_shape(modes, i, NULL), *b = modes_shape(modes, j, NULL);
-    return a && b ? mass_product(modes->model, a, b) : NAN;
+    if (!a || !b)
+        return NAN;
+    double sum = mass_product(modes->model, a, b);
+    if (modes->quadrature)
+        sum += mass_product(modes->model, modes->quadrature + (a - modes->shape),
+                            modes->quadrature + (b - modes->shape));
+    return sum;
 }

@@ -7,37 +7,44 @@
 
 #include <string.h>
 
-/* phi = D x on the unknowns, zero where held. */
-static void write_shapes(const struct pencil *s, hobe_modes *modes)
+void modes_spread(const struct pencil *s, const double *x, double *field)
 {
     const hobe_model *model = s->model;
-    for (int i = 0; i < modes->info.count; i++)
-        for (long v = 0; v < model->vectors; v++)
-            for (int a = 0; a < 3 && model->unknown[v] >= 0; a++) {
-                const long k = 3 * model->unknown[v] + a;
-                modes->shape[3 * (i * model->vectors + v) + a] = s->scale[k] * s->X[i * s->n + k];
-            }
+    for (long v = 0; v < model->vectors; v++)
+        for (int a = 0; a < 3; a++) {
+            const long k = 3 * model->unknown[v] + a;
+            field[3 * v + a] = model->unknown[v] < 0 ? 0 : s->scale[k] * x[k];
+        }
 }
 
-hobe_modes *modes_take(struct pencil *s, int count, enum hobe_modal_method method,
-                       struct hobe_error *err)
+hobe_modes *modes_new(const struct pencil *s, int count, enum hobe_modal_method method,
+                      struct hobe_error *err)
 {
     const size_t size = (size_t)(3 * s->model->vectors);
     hobe_modes *modes = hobe_alloc(1, sizeof *modes, err);
     if (!modes)
         return NULL;
     modes->model = s->model;
-    modes->mu = hobe_alloc((size_t)count, sizeof *modes->mu, err);
-    modes->shape = hobe_alloc((size_t)count * size, sizeof *modes->shape, err);
-    if (!modes->mu || !modes->shape) {
-        hobe_modes_free(modes);
-        return NULL;
-    }
     modes->info = (struct hobe_modes_info){
         .count = count, .buckling = s->buckling, .unknowns = s->n, .method = method};
+    modes->mu = hobe_alloc((size_t)count, sizeof *modes->mu, err);
+    modes->shape = hobe_alloc((size_t)count * size, sizeof *modes->shape, err);
+    if (modes->mu && modes->shape)
+        return modes;
+    hobe_modes_free(modes);
+    return NULL;
+}
+
+hobe_modes *modes_take(struct pencil *s, int count, enum hobe_modal_method method,
+                       struct hobe_error *err)
+{
+    hobe_modes *modes = modes_new(s, count, method, err);
+    if (!modes)
+        return NULL;
     pencil_orthonormalize(s, count);
     memcpy(modes->mu, s->mu, (size_t)count * sizeof *modes->mu);
-    write_shapes(s, modes);
+    for (int i = 0; i < count; i++)
+        modes_spread(s, s->X + i * s->n, modes->shape + 3 * i * s->model->vectors);
     return modes;
 }
 
@@ -65,6 +72,8 @@ void hobe_modes_free(hobe_modes *modes)
         return;
     hobe_free(modes->mu);
     hobe_free(modes->shape);
+    hobe_free(modes->quadrature);
+    hobe_free(modes->exponent);
     hobe_free(modes);
 }
 
@@ -91,6 +100,21 @@ const double *modes_shape(const hobe_modes *modes, int i, struct hobe_error *err
     return NULL;
 }
 
+enum hobe_status hobe_modes_quadrature(const hobe_modes *modes, int i, const char *beam, double at,
+                                       double y, double z, double u[3], struct hobe_error *err)
+{
+    const double *shape = modes_shape(modes, i, err);
+    if (!shape)
+        return HOBE_BAD_INPUT;
+    if (modes->quadrature)
+        shape = modes->quadrature + (shape - modes->shape);
+    const enum hobe_status status =
+        solution_displacement(modes->model, shape, beam, at, y, z, NULL, u, err);
+    for (int a = 0; a < 3 && !modes->quadrature; a++)
+        u[a] = 0;
+    return status;
+}
+
 enum hobe_status modes_displacement(const hobe_modes *modes, int i, const char *beam, double at,
                                     double y, double z, double r0[3], double u[3],
                                     struct hobe_error *err)
@@ -108,7 +132,8 @@ enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *be
 }
 
 enum hobe_status hobe_modes_body(const hobe_modes *modes, int i, const char *name,
-                                 const double point[3], double u[3], struct hobe_error *err)
+                                 const double point[3], double u[3], double quadrature[3],
+                                 struct hobe_error *err)
 {
     double r0[3];
     const double *shape = modes_shape(modes, i, err);
@@ -116,5 +141,9 @@ enum hobe_status hobe_modes_body(const hobe_modes *modes, int i, const char *nam
     if (!body)
         return shape ? HOBE_UNKNOWN : HOBE_BAD_INPUT;
     body_displacement(body, shape, point, r0, u);
+    for (int a = 0; a < 3; a++)
+        quadrature[a] = 0;
+    if (modes->quadrature)
+        body_displacement(body, modes->quadrature + (shape - modes->shape), point, r0, quadrature);
     return HOBE_OK;
 }

@@ -10,12 +10,23 @@ struct hobe_modes {
     struct hobe_modes_info info;
     double *mu;    /* [count] omega^2 or the critical load factor */
     double *shape; /* [count][vectors][3] */
+    /* Of a turning frame, else NULL: shape + i quadrature, in time exp(lambda t). */
+    double *quadrature; /* [count][vectors][3] */
+    double *exponent;   /* [count][2] Re and Im of lambda, Im >= 0, 1/s */
+    double w[3];        /* the frame's angular velocity, rad/s */
     char note[300];
 };
 
 /* The first `count` modes of a solved pencil, orthonormal; NULL with err set. */
 hobe_modes *modes_take(struct pencil *s, int count, enum hobe_modal_method method,
                        struct hobe_error *err);
+
+/* Room for `count` modes, nothing found; NULL with err set. */
+hobe_modes *modes_new(const struct pencil *s, int count, enum hobe_modal_method method,
+                      struct hobe_error *err);
+
+/* field[vectors][3] = phi = D x on the unknowns, zero where held. */
+void modes_spread(const struct pencil *s, const double *x, double *field);
 
 /* Finds the modes of a pencil; the options are a copy of the caller's. */
 typedef enum hobe_status modes_solver(struct pencil *s, struct hobe_modal_options *options,

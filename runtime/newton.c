@@ -110,8 +110,6 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
     spring_add(s->model, s->u, &instant, s->r, stiffness);
     damping_add(s->model, s->u, &instant, s->r, stiffness);
     load_subtract(s->model, s->u, &instant, factor, s->r, stiffness);
-    if (instant.v)
-        damping_add(s->model, s->u, &instant, s->r, stiffness);
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
@@ -396,6 +394,17 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     if (!s->u || !s->start || !s->turned || !s->step || !s->r || !s->x || !s->scale)
         return HOBE_NO_MEMORY;
     return pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err);
+}
+
+enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err)
+{
+    if (s->K.layout == COLUMNS)
+        return HOBE_OK;
+    hobe_free(s->K.value);
+    s->K.value = NULL;
+    if (pattern_columns(s->model, err))
+        return HOBE_NO_MEMORY;
+    return pattern_matrix(s->model, COLUMNS, &s->K, err);
 }
 
 void solver_close(struct solver *s)

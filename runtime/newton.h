@@ -49,6 +49,9 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
                              struct hobe_error *err);
 void solver_close(struct solver *s);
 
+/* Lays the tangent out in columns from now on, for what is not symmetric. */
+enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err);
+
 /* One line of the log, with a note. */
 void solver_log(struct solver *s, const char *note);
 

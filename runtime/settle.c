@@ -7,42 +7,40 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- derivatives of the constraints --------------------------------------------------------- */
-
-/* Along u + s v Phi is a polynomial of at most fourth degree in s: n = y x z of one place times
- * that of another.  Differences of five points are its derivatives, but for rounding. */
-static const double derivative[2][5] = {{1.0 / 12, -2.0 / 3, 0, 2.0 / 3, -1.0 / 12},
-                                        {-1.0 / 12, 4.0 / 3, -2.5, 4.0 / 3, -1.0 / 12}};
-
-/* rate[vectors][3] on the multipliers = the derivative of that order, 1 or 2, by s along u + s v at
- * an instant, 0 elsewhere; moved and f of the same shape are overwritten. */
-static void along(const struct genalpha *g, const double *u, const double *v, double time,
-                  int order, double *moved, double *f, double *rate)
+/* rate[vectors][3] on the multipliers = Phi_q v at a state, 0 elsewhere.  Along u + s v, at a fixed
+ * time, Phi is a polynomial of at most fourth degree in s: n = y x z of one place times that of
+ * another.  Differences of five points are its derivative but for rounding. */
+static void derive(const struct genalpha *g, const struct genalpha_state *at, double *moved,
+                   double *f, double *rate)
 {
+    static const double weight[] = {1.0 / 12, -2.0 / 3, 0, 2.0 / 3, -1.0 / 12};
     const hobe_model *model = g->s.model;
     const long n = 3 * model->vectors;
+    const struct instant instant = {at->time, at->v, 0, 0};
     double fastest = 0;
     for (long i = 0; i < 3 * model->moving; i++)
-        fastest = fmax(fastest, fabs(v[i]));
+        fastest = fmax(fastest, fabs(at->v[i]));
     memset(rate, 0, (size_t)n * sizeof *rate);
-    if (!(fastest > 0))
-        return;
     const double s = fmin(g->size, 1) / fastest;
-    const struct instant instant = {time, v, 0, 0};
-    for (int k = 0; k < 5; k++) {
+    for (int k = 0; k < 5 && fastest > 0; k++) {
         memset(f, 0, (size_t)n * sizeof *f);
         for (long i = 0; i < n; i++)
-            moved[i] = i < 3 * model->moving ? u[i] + (k - 2) * s * v[i] : 0;
+            moved[i] = i < 3 * model->moving ? at->u[i] + (k - 2) * s * at->v[i] : 0;
         constraint_add(model, moved, &instant, f, NULL);
         for (long i = 3 * model->moving; i < n; i++)
-            rate[i] += derivative[order - 1][k] * f[i] / pow(s, order);
+            rate[i] += weight[k] * f[i] / s;
     }
 }
 
 void settle_rate(const struct genalpha *g, const struct genalpha_state *at, double *moved,
                  double *f, double *rate)
 {
-    along(g, at->u, at->v, at->time, 1, moved, f, rate);
+    const struct instant instant = {at->time, at->v, 0, 0};
+    derive(g, at, moved, f, rate);
+    memset(f, 0, (size_t)(3 * g->s.model->vectors) * sizeof *f);
+    constraint_rate(g->s.model, at->u, &instant, f);
+    for (long i = 3 * g->s.model->moving; i < 3 * g->s.model->vectors; i++)
+        rate[i] += f[i];
 }
 
 /* ---- the state now -------------------------------------------------------------------------- */
@@ -70,10 +68,13 @@ static enum hobe_status factor_mass(struct genalpha *g, struct hobe_error *err)
 {
     struct solver *s = &g->s;
     take_state(g);
-    s->motion = (struct motion){.instant = {g->now.time, g->now.v, 0}, .mass_alone = 1};
+    s->motion = (struct motion){.instant = {g->now.time, g->now.v, 0, 0}, .mass_alone = 1};
     solver_evaluate(s, 1, TRUE_TANGENT);
     pattern_scale(s->model, &s->K, s->scale);
     g->factored = 0;
+    const enum hobe_status failed = model_failure(s->model, err);
+    if (failed)
+        return failed;
     const enum outcome outcome = solver_factor(s, err);
     if (outcome == FAILED)
         return hobe_fail(err, HOBE_SINGULAR, NULL,
@@ -114,10 +115,13 @@ enum hobe_status settle(struct genalpha *g, double *changed, struct hobe_error *
         return status;
     take_state(g);
     solver_evaluate(s, 1, NO_TANGENT);
-    along(g, g->now.u, g->now.v, g->now.time, 2, s->u, g->force, g->a);
+    memset(g->a, 0, size);
+    constraint_acceleration(model, g->now.u, g->now.v, &s->motion.instant, g->a);
     for (long i = 3 * model->moving; i < 3 * model->vectors; i++)
         s->r[i] = g->a[i];
-    status = solver_solve(s, s->r, -1, s->x, err);
+    status = model_failure(model, err);
+    if (!status)
+        status = solver_solve(s, s->r, -1, s->x, err);
     if (status)
         return status;
     memset(g->now.w, 0, size);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The centrifugal force in a frame that turns steadily. */
+/* Centrifugal and Coriolis force in a frame that turns steadily. */
 #ifndef HOBE_SPIN_H
 #define HOBE_SPIN_H
 
@@ -9,13 +9,15 @@
  * these do nothing. */
 enum hobe_status spin_build(struct hobe_model *model, struct hobe_error *err);
 
-/* r -= factor w^2 M P q, and K -= factor w^2 M P unless NULL, q the nodal vectors in state u. */
-void spin_subtract(const struct hobe_model *model, const double *u, double factor, double *r,
-                   const struct matrix *K);
+/* r -= factor (w^2 M P q - 2 M w x v), q the nodal vectors in state u, v their velocities at the
+ * instant, and their matrix to K unless NULL: that of Coriolis' force is skew and for columns
+ * alone, fronts go without. */
+void spin_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
+                   double factor, double *r, const struct matrix *K);
 
 /* f += factor times the force on element e of a beam. */
-void spin_inside(const struct hobe_model *model, const double *u, double factor,
-                 const struct beam *beam, int e, double *f);
+void spin_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
+                 double factor, const struct beam *beam, int e, double *f);
 
 /* w[3] = the angular velocity at a load factor, rad/s, which scales its square; zero without a
  * spin.  HOBE_BAD_INPUT where the factor is negative: no speed has such a force. */

@@ -234,6 +234,13 @@ static double elastic_force(const struct spring *spring, int part, const struct 
     return spring->spec.stiffness[part] * (x->s - rest_of(spring));
 }
 
+/* With the damper's, at velocities v unless NULL. */
+static double force_of(const struct spring *spring, int part, struct extension *x, const double *v)
+{
+    return elastic_force(spring, part, x) +
+           (v ? spring->spec.damping[part] * rate_of(spring, x->G, v) : 0);
+}
+
 /* ---- sums ------------------------------------------------------------------------------------ */
 
 static void add_stiffness(const struct hobe_model *model, const struct spring *spring,
@@ -249,14 +256,14 @@ static void add_part(const struct hobe_model *model, const struct spring *spring
                      const double *u, const struct instant *instant, double *f,
                      const struct matrix *K)
 {
-    const double k = spring->spec.stiffness[part], c = spring->spec.damping[part];
+    const struct hobe_spring *spec = &spring->spec;
     struct extension x;
     extend(spring, part, u, &x);
-    const double force =
-        elastic_force(spring, part, &x) + (instant->v ? c * rate_of(spring, x.G, instant->v) : 0);
+    const double force = force_of(spring, part, &x, instant->v);
     tie_add_force(&spring->tie, force, (const double(*)[3])x.G, f);
     if (K)
-        add_stiffness(model, spring, k + instant->rate * c, force, &x, K);
+        add_stiffness(model, spring, spec->stiffness[part] + instant->rate * spec->damping[part],
+                      force, &x, K);
 }
 
 void spring_add(const struct hobe_model *model, const double *u, const struct instant *instant,
@@ -354,7 +361,7 @@ enum hobe_status hobe_solution_spring(const hobe_solution *solution, const char 
             struct extension x;
             extend(spring, p, solution->u, &x);
             state->extension[p] = x.s;
-            state->force[p] = elastic_force(spring, p, &x);
+            state->force[p] = force_of(spring, p, &x, solution->v);
         }
         if (spring->spec.kind == HOBE_SPRING_LENGTH)
             state->extension[0] += spring->start[0];

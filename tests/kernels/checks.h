@@ -19,9 +19,9 @@ void check_values(const struct fixture *fx);
 void check_identities(const struct fixture *fx);
 void check_round_off(const struct fixture *fx);
 
-/* Against the force and tangent from station to station; leaves the tensor with the section's own
- * symmetry in use, for the other checks. */
-void check_tensor(struct fixture *fx);
+/* Both plans with every symmetry that the section has, against the plan "section" that knows of
+ * none; leaves the tensor with the section's own symmetry in use, for the other checks. */
+void check_plans(struct fixture *fx);
 
 /* Exact solutions: rigid motion, homogeneous deformation. */
 void check_rigid(const struct fixture *fx);

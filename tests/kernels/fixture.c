@@ -151,7 +151,7 @@ static void set_section(struct fixture *fx)
         point->weight = (double)(fx->beam.width * fx->beam.height * w[p / n] * w[p % n]);
         point->region = 0;
         test_functions(point->y, point->z, point->f);
-        if (fx->symmetry)
+        if (fx->symmetry & (HOBE_SYMMETRIC_Y | HOBE_SYMMETRIC_Z))
             symmetric_functions(fx->kernel, point->y, point->z, point->f);
     }
     fx->axis = (struct hobe_section_point){.weight = 0.37}; /* a mean: any weight will do */
@@ -233,6 +233,16 @@ static void fill(const struct fixture *fx, const double (*gauss)[2], struct hobe
     }
 }
 
+void set_section_plan(const struct hobe_kernel *kernel, int symmetry, struct hobe_invariants *inv)
+{
+    const size_t block = kernel->section_cost[symmetry].numbers, stations = (size_t)inv->stations;
+    inv->symmetry = symmetry;
+    inv->step = inv->step_n ? (ptrdiff_t)block : 0;
+    inv->section =
+        grab(stations * kernel->axial + (inv->step ? stations : 1) * block, sizeof(double));
+    kernel->section(inv);
+}
+
 void make_invariants(const struct fixture *fx, int stations, int blocks,
                      struct hobe_invariants *inv)
 {
@@ -262,10 +272,12 @@ void make_invariants(const struct fixture *fx, int stations, int blocks,
         memcpy(inv->Qn + (size_t)s * nn, inv->Qn, nn * sizeof(double));
         memcpy(inv->Qs + (size_t)s * ns, inv->Qs, ns * sizeof(double));
     }
-    if (fx->curved)
-        return;
-    inv->step_n = blocks > 1 ? (ptrdiff_t)nn : 0;
-    inv->step_s = blocks > 1 ? (ptrdiff_t)ns : 0;
+    if (!fx->curved) {
+        inv->step_n = blocks > 1 ? (ptrdiff_t)nn : 0;
+        inv->step_s = blocks > 1 ? (ptrdiff_t)ns : 0;
+    }
+    if (k->section)
+        set_section_plan(k, k->symmetry(inv), inv);
 }
 
 void free_invariants(struct hobe_invariants *inv)
@@ -278,6 +290,7 @@ void free_invariants(struct hobe_invariants *inv)
     free(inv->Qs);
     free(inv->Qc);
     free(inv->mass);
+    free(inv->section);
     free(inv->tensor);
 }
 
@@ -356,7 +369,7 @@ static void open_fixture(struct fixture *fx, const struct hobe_kernel *kernel,
 
 void fixture_open(struct fixture *fx, const struct hobe_kernel *kernel, enum pw_mechanics mechanics)
 {
-    open_fixture(fx, kernel, mechanics, 0, 0);
+    open_fixture(fx, kernel, mechanics, 0, HOBE_SYMMETRIC_X);
 }
 
 void fixture_open_curved(struct fixture *fx, const struct hobe_kernel *kernel,
@@ -371,12 +384,16 @@ void fixture_open_symmetric(struct fixture *fx, const struct hobe_kernel *kernel
     open_fixture(fx, kernel, mechanics, 0, symmetry);
 }
 
-void fixture_set_tensor(struct fixture *fx, int symmetry)
+void fixture_set_plans(struct fixture *fx, int symmetry)
 {
     const struct hobe_kernel *k = fx->kernel;
     free(fx->inv.tensor);
-    fx->inv.symmetry = symmetry;
-    fx->inv.tensor = grab(k->tensor_size[symmetry].numbers, sizeof(double));
+    free(fx->inv.section);
+    set_section_plan(k, symmetry, &fx->inv);
+    fx->inv.tensor = NULL;
+    if (!(symmetry & HOBE_SYMMETRIC_X))
+        return;
+    fx->inv.tensor = grab(k->tensor_cost[symmetry].numbers, sizeof(double));
     k->tensor(&fx->inv);
 }
 

@@ -12,7 +12,7 @@ struct fixture {
     const struct hobe_kernel *kernel;
     struct pw_beam beam; /* the same element for the evaluator; beam.element only where known */
     int known, structural, dofs;
-    int symmetry; /* of the section: HOBE_SYMMETRIC_Y, _Z */
+    int symmetry; /* HOBE_SYMMETRIC_X where straight, and those of the section */
     double density;
     real *size; /* [dofs] of a nodal vector that turns or stretches the section by about 1 */
     struct hobe_section_point *point, axis;
@@ -37,9 +37,13 @@ void fixture_open_symmetric(struct fixture *fx, const struct hobe_kernel *kernel
                             enum pw_mechanics mechanics, int symmetry);
 void fixture_close(struct fixture *fx);
 
-/* From now on force and tangent are products with the tensor, which has only the numbers that this
- * symmetry leaves. */
-void fixture_set_tensor(struct fixture *fx, int symmetry);
+/* From now on both plans have only the numbers that this symmetry leaves, and force and tangent are
+ * products with the tensor where it has HOBE_SYMMETRIC_X. */
+void fixture_set_plans(struct fixture *fx, int symmetry);
+
+/* The plan "section" of a kernel with what this symmetry leaves; an array to be freed by
+ * free_invariants. */
+void set_section_plan(const struct hobe_kernel *kernel, int symmetry, struct hobe_invariants *inv);
 
 /* The invariants with another number of stations; one block for all stations or one for each.
  * Arrays to be freed by free_invariants. */

@@ -68,16 +68,16 @@ static void check_curved(const struct hobe_kernel *kernel)
     }
 }
 
-/* Force and tangent as products with the tensor, on sections with each symmetry. */
+/* Both plans, on sections with each symmetry. */
 static void check_products(const struct hobe_kernel *kernel)
 {
     for (int law = 0; law < PW_LAWS; law++)
-        for (int symmetry = 0; symmetry < HOBE_SYMMETRIES; symmetry++) {
+        for (int symmetry = HOBE_SYMMETRIC_X; symmetry < HOBE_SYMMETRIES; symmetry += 2) {
             struct fixture fx;
             if (!goes_with(kernel, law) || !kernel->tensor)
                 continue;
             fixture_open_symmetric(&fx, kernel, (enum pw_mechanics)law, symmetry);
-            check_tensor(&fx);
+            check_plans(&fx);
             check_round_off(&fx);
             check_rigid(&fx);
             if (first(law))

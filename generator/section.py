@@ -1,0 +1,318 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Stage 4, the plan "section": eqs. 27 and 28 from station to station along the axis, for any beam.
+
+At a station of the axis the energy per length is a quadratic form in the Gram differences of the
+2M-1 section vectors D_I = (d_k', d_k), so that the rows Q, S and R of its derivatives by D_I are
+products with constant matrices (products.py), one set for each station or, where the beam is
+straight and prismatic, for all.  There d_k' counts as even in x and d_k as odd; taper, curvature
+and pretwist mix them, and mix y and z as they please.
+
+Rows (I, J) of the stations become rows (i, j) of nodal vectors with the weights w N_i^(a) N_j^(b),
+a, b = 0, 1 derivatives.  Stations come in pairs about mid-length, g and its mirror image, and so do
+nodal vectors.  With the sign s = (-1)^(a+b) of a derivative about mid-length, and c, c' the weights
+and T, T' the rows of both stations,
+
+    c T + c' T' = 1/2 (c + s c') (T + s T')  +  1/2 (c - s c') (T - s T'),
+
+and the row of the mirror image, whose weights are +-s c' and +-s c, is +-(first part - second
+part): each part is summed once for two blocks of the tangent.  What follows is as in tensor.py.
+"""
+
+from .form import (AXIAL, CLEAR_FORCE, CURRENT, INVARIANTS, VECTORS, axis3, filled, given,
+                   hand_back, numbers)
+from .ir import Do, Function, If, Let, Note, loop
+from .products import Products, by_class, pair
+
+LAW = Do("const double *H = inv->section + AXIAL * inv->stations + inv->step * g;", free=True)
+
+
+def products(element):
+    """The Products of an element's section vectors."""
+    s = element.sizes["S"]
+    parity = parities(element)
+    pairs = [(t, v) for t in range(s) for v in range(t + 1)]
+    kind = {p: parity[p[0]] ^ parity[p[1]] for p in pairs}
+    kinds = {pair(*p): k for p, k in kind.items()}
+    skew = {pair(*p): k for p, k in kind.items() if p[0] != p[1]}
+    return Products("sectional", s, tuple(range(s)), *by_class(pairs, kind, lambda p: p[0] != p[1]),
+                    *by_class(kinds, kinds), *by_class(skew, skew))
+
+
+def parities(element):
+    """Of each section vector: 1 odd in x, 2 odd in y, 4 odd in z."""
+    parity = [2 * y + 4 * z for y, z in (mode.parity for mode in element.modes)]
+    return parity + [p + 1 for p in parity[1:]]
+
+
+def sizes(element):
+    """Names and values of the constants of the loops."""
+    s = element.sizes["S"]
+    values = 10 * (element.sizes["M"] - 1)
+    return {"GRAMS": s * (s + 1) // 2, "AXIAL": 8 * element.sizes["A"]**2,
+            "FIRST": values * s, "SECOND": values}
+
+
+def scratch(element, blocks):
+    """Numbers that the tangent works with: rows of two stations, of one, of nodal vectors."""
+    s, grams = element.sizes["S"], sizes(element)["GRAMS"]
+    return 20 * s**2 + 19 * grams - 3 * s + 10 * blocks
+
+
+# ---- loop nests ----------------------------------------------------------------------------------
+
+def functions():
+    """The loop nests, the same for every element."""
+    return (_section_force(), _force_part(), _energy_part(),
+            _polar(), _trilinear_part(), _station_rows(), _even_and_odd(),
+            _expand(), _tangent_part())
+
+
+def _section_force():
+    def row(first, last, entry):
+        return loop("j", last, Do(f"const hobe_real t = Q[{entry}];", free=True),
+                    axis3("P[3 * i + a] += t * D[3 * j + a];"), first=first)
+
+    return Function(
+        "section_force",
+        (*given("Q", "D"), *filled("P")),
+        "P_I = dW/dD_I = sum_J Q_IJ D_J",
+        (loop("i", "S",
+              axis3("P[3 * i + a] = zero;"),
+              row("0", "i", "hobe_pair(i, j)"),
+              row("i", "S", "hobe_pair(j, i)")),))
+
+
+ARRAYS = Do("hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S], gamma[GRAMS], Q[GRAMS];", free=True)
+STRESS = (
+    Do("column_differences(sectional, B, U, gamma);"),
+    Do("row_stress(sectional, H, inv->symmetry, gamma, Q);"),
+)
+
+
+def _force_part():
+    return Function(
+        "force_part",
+        (INVARIANTS, *given("q0", "u"), *filled("f")),
+        "f = dU/dq, eq. 27, for one part of a batch",
+        (
+            ARRAYS,
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            CLEAR_FORCE,
+            loop("g", "inv->stations", AXIAL, LAW, *VECTORS, *STRESS, *CURRENT,
+                 Do("section_force(Q, B, U);"), hand_back("U")),
+        ))
+
+
+def _energy_part():
+    return Function(
+        "energy_part",
+        (INVARIANTS, *given("q0", "u"), *filled("energy")),
+        "U = sum_g w_g s.sigma/2, eq. 26",
+        (
+            ARRAYS,
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            Do("hobe_real sum = zero;"),
+            loop("g", "inv->stations", AXIAL, LAW, *VECTORS, *STRESS,
+                 Do("hobe_real w = zero;"),
+                 loop("p", "GRAMS",
+                      Do("const int row = hobe_pair(sectional->pair_t[p], sectional->pair_v[p]);",
+                         free=True),
+                      Do("w += gamma[p] * Q[row];")),
+                 Do("const double half = 0.5 * inv->wx[g];", free=True),
+                 Do("sum += half * w;")),
+            Do("energy[0] = sum;"),
+        ))
+
+
+def _polar():
+    return Function(
+        "polar",
+        (*numbers("N", "Nx"), *given("b", "c"), *filled("B", "C")),
+        "section vectors of b/2 and of c",
+        (
+            Do("section_vectors(N, Nx, b, B);"),
+            Do("section_vectors(N, Nx, c, C);"),
+            loop("i", "3 * S", Do("B[i] = 0.5 * B[i];")),
+        ))
+
+
+def _trilinear_part():
+    return Function(
+        "trilinear_part",
+        (INVARIANTS, *given("qa", "qb", "qc"), *filled("f")),
+        "f = T(a; b, c): Q of the Gram entries of b and c in polar form, applied to D(a)",
+        (
+            Do("hobe_real xa[3 * V];", free=True),
+            ARRAYS,
+            Do("gather(qa, xa);"),
+            Do("gather(qb, x0);"),
+            Do("gather(qc, x);"),
+            CLEAR_FORCE,
+            loop("g", "inv->stations", AXIAL, LAW,
+                 Do("polar(N, Nx, x0, x, B, U);"),
+                 *STRESS,
+                 Do("section_vectors(N, Nx, xa, B);"),
+                 Do("section_force(Q, B, U);"), hand_back("U")),
+        ))
+
+
+def _station_rows():
+    def store(i, j, sign):
+        at = f"10 * ({i} * S + {j})"
+        return (Do(f"T[{at}] = Q[r];", free=True),
+                loop("e", "6", Do(f"T[{at} + 1 + e] = sym[6 * r + e];", free=True)),
+                loop("e", "3", Do(f"T[{at} + 7 + e] = {sign}skew[3 * r + e];", free=not sign)))
+
+    return Function(
+        "station_rows",
+        (INVARIANTS, "int g", *given("x0", "x"), *filled("T", "scratch")),
+        "T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g",
+        (
+            Do("hobe_real B[3 * S], U[3 * S];", free=True),
+            Do("hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);", free=True),
+            Do("hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;", free=True),
+            AXIAL, LAW, *VECTORS,
+            Do("column_differences(sectional, B, U, X);"),
+            *CURRENT,
+            Do("H = row_stress(sectional, H, inv->symmetry, X, Q);"),
+            Do("products(sectional, B, X, Z);"),
+            Do("H = row_symmetric(sectional, H, inv->symmetry, X, sym);"),
+            Do("row_skew(sectional, H, inv->symmetry, Z, skew);"),
+            loop("i", "S",
+                 axis3("skew[3 * hobe_pair(i, i) + a] = zero;"),
+                 loop("j", "i + 1",
+                      Do("const int r = hobe_pair(i, j);", free=True),
+                      *store("j", "i", "zero - "), *store("i", "j", ""))),
+        ))
+
+
+def _even_and_odd():
+    return Function(
+        "even_and_odd", filled("T", "W"),
+        "T + s T' and T - s T' of the rows T of a station and T' = W of its mirror image",
+        (loop("i", "S", loop("j", "S",
+                             Do("hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);",
+                                free=True),
+                             Let("along", "(i < M) == (j < M)"),
+                             Do("hobe_real *plus = along ? t : w, *minus = along ? w : t;",
+                                free=True),
+                             loop("e", "10",
+                                  Do("const hobe_real sum = t[e] + w[e], less = t[e] - w[e];"),
+                                  Do("plus[e] = sum;", free=True),
+                                  Do("minus[e] = less;", free=True)))),))
+
+
+def _expand():
+    places = "at", "at + SECOND", "at + FIRST", "at + FIRST + SECOND"
+
+    def terms(condition, which):
+        def sum_of(c, t, e):
+            return " + ".join(f"{c}[{n}] * {t}[{places[n]}{e}]" for n in which)
+        return If(condition, (
+            Do(f"Q[r] += {sum_of('c', 't', '')};"),
+            loop("e", "6", Do(f"sym[6 * r + e] += {sum_of('c', 't', ' + 1 + e')};")),
+            loop("e", "3", Do(f"skew[3 * r + e] += {sum_of('d', 'w', ' + 7 + e')};"))))
+
+    return Function(
+        "expand",
+        (*numbers("weight"), *given("even", "odd"), *filled("Q", "sym", "skew")),
+        "Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair\n"
+        " * of mirror images what they share to the first, what they differ by to the other",
+        (
+            loop("v", "V", loop(
+                "u", "v + 1",
+                Let("r", "hobe_pair(v, u)"),
+                Let("a", "nodal->mirror[v]"), Let("b", "nodal->mirror[u]"),
+                Let("other", "symmetric(a, b) < r"),
+                Let("i", "other ? larger(a, b) : v"), Let("j", "other ? a + b - i : u"),
+                Let("part", "odd_of[v] ^ odd_of[u] ^ other"),
+                Let("turned", "part ^ (a < b)"),
+                Let("k", "mode[i]"), Let("l", "mode[j]"), Let("at", "10 * (k * S + l)"),
+                Do("const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);", free=True),
+                Do("const double *c = w2 + 4 * part, *d = w2 + 4 * turned;", free=True),
+                Do("const hobe_real *t = part ? odd : even, *w = turned ? odd : even;", free=True),
+                terms("k == 0 && l == 0", (0,)),
+                terms("k == 0 && l > 0", (0, 1)),
+                terms("k > 0 && l == 0", (0, 2)),
+                terms("k > 0 && l > 0", (0, 1, 2, 3)), first="OPPOSED"), first="OPPOSED"),
+        ))
+
+
+def _tangent_part():
+    return Function(
+        "tangent_part",
+        (INVARIANTS, *given("q0", "u"), *filled("f", "K", "scratch")),
+        "f = dU/dq and K = df/dq, eq. 28, for one part of a batch",
+        (
+            Do("hobe_real x0[3 * V], x[3 * V];", free=True),
+            Do("hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;", free=True),
+            Do("hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;",
+               free=True),
+            Do("gather(q0, x0);"),
+            Do("gather(u, x);"),
+            loop("i", "10 * BLOCKS", Do("Q[i] = zero;")),
+            Let("last", "MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1"),
+            loop("g", "last + 1",
+                 Let("other", "MIRRORED ? inv->stations - 1 - g : g"),
+                 Do("station_rows(inv, g, x0, x, T, rest);"),
+                 If("other != g", (
+                     Do("station_rows(inv, other, x0, x, W, rest);"),
+                     Do("even_and_odd(T, W);"))),
+                 Do("const hobe_real *odd = other == g ? T : W;", free=True),
+                 Do("expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);")),
+            Note("D = D0 + U"),
+            loop("i", "3 * V", Do("x[i] += x0[i];")),
+            Do("images(Q);"),
+            Do("tensor_force(Q, x, f);"),
+            Do("finish(Q, sym, skew, K);"),
+        ))
+
+
+# ---- the coefficients ----------------------------------------------------------------------------
+
+COEFFICIENTS = """\
+static void sectional_coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t,
+                                   int v, double c[3])
+{
+    const int pair[3][4] = {{i, j, t, v}, {i, t, j, v}, {i, v, j, t}};
+    for (int n = 0; n < 3; n++) {
+        const int *p = pair[n];
+        c[n] = law_entry(inv, g, gram_entry(p[0] < p[1] ? p[0] : p[1], larger(p[0], p[1])),
+                         gram_entry(p[2] < p[3] ? p[2] : p[3], larger(p[2], p[3])));
+    }
+    split(t, v, c);
+}
+
+/* weight[A][A][2][4]: of two axial functions at the stations g and h, mirror images, the parts
+ * (c + s c')/2 and (c - s c')/2 of their products, both derived, the first, the second, none. */
+static void axial_weights(const struct hobe_invariants *inv, int g, int h, double *weight)
+{
+    for (int a = 0; a < A; a++)
+        for (int b = 0; b < A; b++, weight += 8) {
+            int v = 0, w = 0;
+            while (axial_of[v] != a)
+                v++;
+            while (axial_of[w] != b)
+                w++;
+            for (int n = 0; n < 4; n++) {
+                const double *F = n & 2 ? inv->N : inv->Nx, *G = n & 1 ? inv->N : inv->Nx;
+                const double here = inv->wx[g] * F[V * g + v] * G[V * g + w];
+                const double there = inv->wx[h] * F[V * h + v] * G[V * h + w];
+                const double other = n == 1 || n == 2 ? -there : there;
+                weight[n] = MIRRORED ? 0.5 * (here + other) : here;
+                weight[4 + n] = MIRRORED ? 0.5 * (here - other) : 0.0;
+            }
+        }
+}
+
+static void section(const struct hobe_invariants *inv)
+{
+    double *H = inv->section + AXIAL * inv->stations;
+    for (int g = 0; g < inv->stations; g++)
+        axial_weights(inv, g, inv->stations - 1 - g, inv->section + AXIAL * g);
+    for (int g = 0; g < (inv->step ? inv->stations : 1); g++)
+        fill_products(sectional, sectional_coefficients, inv, g, H + inv->step * g);
+}
+"""

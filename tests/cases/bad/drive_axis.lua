@@ -1,0 +1,8 @@
+-- expect: bad/drive_axis\.lua:7: a driven joint of kind fixed needs axis, a direction
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local beam = hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+                        from = {0, 0, 0}, to = {1, 0, 0} }
+local support = hobe.support{ "blade", at = 0, kind = "fixed", angle = 1 }
+hobe.scene{ beam, support }

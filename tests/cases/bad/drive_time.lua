@@ -1,0 +1,7 @@
+-- expect: bad/drive_time\.lua:7: static: time must be >= 0, got -1$
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local beam = hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+                        from = {0, 0, 0}, to = {1, 0, 0} }
+hobe.static(hobe.scene{ beam, hobe.clamp{ "blade", at = 0 } }, { time = -1 })

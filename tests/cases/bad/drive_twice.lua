@@ -1,0 +1,7 @@
+-- expect: bad/drive_twice\.lua:7: support: angle and angular_velocity exclude each other: one follows from the other$
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local beam = hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+                        from = {0, 0, 0}, to = {1, 0, 0} }
+hobe.support{ "blade", at = 0, kind = "revolute", axis = {0, 0, 1}, angle = 1, angular_velocity = 2 }

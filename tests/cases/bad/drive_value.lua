@@ -1,0 +1,8 @@
+-- expect: bad/drive_value\.lua:7: support: angle: the value at t = 0\.0 is missing: the function must return a number$
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local beam = hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+                        from = {0, 0, 0}, to = {1, 0, 0} }
+local support = hobe.support{ "blade", at = 0, kind = "revolute", axis = {0, 0, 1}, angle = function(t) end }
+hobe.static(hobe.scene{ beam, support })
