@@ -366,11 +366,12 @@ static void read_places(lua_State *L, const struct hobe_lua_schema *schema, int 
 {
     struct hobe_lua_key key = {.type = KEY_NUMBER, KEY_WITHIN(0, 1)};
     check_place(L, schema);
+    const char *what = lua_pushfstring(L, "%s: at", schema->name);
     hobe_lua_push_key(L, 1, schema, "at");
     const int number = lua_type(L, -1) == LUA_TNUMBER;
     if (two && !number)
         key = (struct hobe_lua_key){.type = KEY_PAIR};
-    hobe_lua_read_value(L, -1, lua_pushfstring(L, "%s: at", schema->name), &key, at);
+    hobe_lua_read_value(L, -1, what, &key, at);
     if (two && number)
         at[1] = at[0];
     lua_pop(L, 2);
