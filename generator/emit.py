@@ -198,8 +198,6 @@ PLAN_SIZES = {
     "OPPOSED": "whether it is one of two: rows with the first are less those with it",
     "MIRRORED": "whether there are mirror images",
     "GRAMS": "pairs of section vectors", "AXIAL": "weights of a station for axial functions",
-    "FIRST": "from the numbers of (k', l') to those of (k, l') among rows of section vectors",
-    "SECOND": "to those of (k', l)",
     "MOST_PAIRS": "of either kind",
 }
 PLAN_TABLES = {
@@ -209,8 +207,7 @@ PLAN_TABLES = {
                       "shifted; its\n * function is share (N_left + sign N_right)"),
     "right": ("short", None), "shifted": ("short", None), "sign": ("double", None),
     "share": ("double", None),
-    "image": ("short", "pairs of rows that are images, and rows that are their own"),
-    "alone": ("short", None),
+    "lead": ("short", "vectors of the rows that have a mirror image after them, and of those alone"),
     "merged": ("short", "by symmetry: how many classes a row meets, and its own class times which"),
     "merged_with": ("short", None),
 }

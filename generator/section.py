@@ -22,7 +22,9 @@ from .form import (AXIAL, CLEAR_FORCE, CURRENT, INVARIANTS, VECTORS, axis3, fill
                    hand_back, numbers)
 from .ir import Do, Function, If, Let, Note, loop
 from .products import Products, by_class, pair
+from .tensor import LEAD
 
+MORE_STATIONS = 2  # HOBE_MORE_STATIONS of kernel.h
 LAW = Do("const double *H = inv->section + AXIAL * inv->stations + inv->step * g;", free=True)
 
 
@@ -47,15 +49,14 @@ def parities(element):
 def sizes(element):
     """Names and values of the constants of the loops."""
     s = element.sizes["S"]
-    values = 10 * (element.sizes["M"] - 1)
-    return {"GRAMS": s * (s + 1) // 2, "AXIAL": 8 * element.sizes["A"]**2,
-            "FIRST": values * s, "SECOND": values}
+    return {"GRAMS": s * (s + 1) // 2, "AXIAL": 8 * element.sizes["A"]**2}
 
 
 def scratch(element, blocks):
-    """Numbers that the tangent works with: rows of two stations, of one, of nodal vectors."""
+    """Numbers that the tangent works with: Q of the rows of nodal vectors; products; the rows of
+    all stations."""
     s, grams = element.sizes["S"], sizes(element)["GRAMS"]
-    return 20 * s**2 + 19 * grams - 3 * s + 10 * blocks
+    return blocks + 9 * grams - 3 * s + 10 * grams * (element.stations + MORE_STATIONS)
 
 
 # ---- loop nests ----------------------------------------------------------------------------------
@@ -63,8 +64,8 @@ def scratch(element, blocks):
 def functions():
     """The loop nests, the same for every element."""
     return (_section_force(), _force_part(), _energy_part(),
-            _polar(), _trilinear_part(), _station_rows(), _even_and_odd(),
-            _expand(), _tangent_part())
+            _polar(), _trilinear_part(), _station_rows(), _even_and_odd(), _nodal_blocks(),
+            _tangent_part())
 
 
 def _section_force():
@@ -159,32 +160,21 @@ def _trilinear_part():
 
 
 def _station_rows():
-    def store(i, j, sign):
-        at = f"10 * ({i} * S + {j})"
-        return (Do(f"T[{at}] = Q[r];", free=True),
-                loop("e", "6", Do(f"T[{at} + 1 + e] = sym[6 * r + e];", free=True)),
-                loop("e", "3", Do(f"T[{at} + 7 + e] = {sign}skew[3 * r + e];", free=not sign)))
-
     return Function(
         "station_rows",
-        (INVARIANTS, "int g", *given("x0", "x"), *filled("T", "scratch")),
-        "T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g",
+        (INVARIANTS, "int g", *given("x0", "x"), *filled("X", "T")),
+        "T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch",
         (
-            Do("hobe_real B[3 * S], U[3 * S];", free=True),
-            Do("hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);", free=True),
-            Do("hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;", free=True),
+            Do("hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;", free=True),
+            Do("hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;", free=True),
             AXIAL, LAW, *VECTORS,
             Do("column_differences(sectional, B, U, X);"),
             *CURRENT,
-            Do("H = row_stress(sectional, H, inv->symmetry, X, Q);"),
+            Do("H = row_stress(sectional, H, inv->symmetry, X, T);"),
             Do("products(sectional, B, X, Z);"),
             Do("H = row_symmetric(sectional, H, inv->symmetry, X, sym);"),
             Do("row_skew(sectional, H, inv->symmetry, Z, skew);"),
-            loop("i", "S",
-                 axis3("skew[3 * hobe_pair(i, i) + a] = zero;"),
-                 loop("j", "i + 1",
-                      Do("const int r = hobe_pair(i, j);", free=True),
-                      *store("j", "i", "zero - "), *store("i", "j", ""))),
+            loop("i", "S", axis3("skew[3 * hobe_pair(i, i) + a] = zero;")),
         ))
 
 
@@ -192,52 +182,75 @@ def _even_and_odd():
     return Function(
         "even_and_odd", filled("T", "W"),
         "T + s T' and T - s T' of the rows T of a station and T' = W of its mirror image",
-        (loop("i", "S", loop("j", "S",
-                             Do("hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);",
-                                free=True),
-                             Let("along", "(i < M) == (j < M)"),
-                             Do("hobe_real *plus = along ? t : w, *minus = along ? w : t;",
+        (loop("i", "S", loop("j", "i + 1",
+                             Let("r", "hobe_pair(i, j)"), Let("along", "(i < M) == (j < M)"),
+                             Do("hobe_real *plus = along ? T : W, *minus = along ? W : T;",
                                 free=True),
                              loop("e", "10",
-                                  Do("const hobe_real sum = t[e] + w[e], less = t[e] - w[e];"),
-                                  Do("plus[e] = sum;", free=True),
-                                  Do("minus[e] = less;", free=True)))),))
+                                  Do("const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 "
+                                     ": 7 * GRAMS + 3 * r + e - 7;", free=True),
+                                  Do("const hobe_real sum = T[at] + W[at], less = T[at] - W[at];"),
+                                  Do("plus[at] = sum;", free=True),
+                                  Do("minus[at] = less;", free=True)))),))
 
 
-def _expand():
-    places = "at", "at + SECOND", "at + FIRST", "at + FIRST + SECOND"
+def _nodal_blocks():
+    sums = [f"s{e}" for e in range(10)]
 
-    def terms(condition, which):
-        def sum_of(c, t, e):
-            return " + ".join(f"{c}[{n}] * {t}[{places[n]}{e}]" for n in which)
-        return If(condition, (
-            Do(f"Q[r] += {sum_of('c', 't', '')};"),
-            loop("e", "6", Do(f"sym[6 * r + e] += {sum_of('c', 't', ' + 1 + e')};")),
-            loop("e", "3", Do(f"skew[3 * r + e] += {sum_of('d', 'w', ' + 7 + e')};"))))
+    def add(n, sign):
+        at = [f"t[p{n}]", *(f"t[GRAMS + 6 * p{n} + {e}]" for e in range(6)),
+              *(f"w[7 * GRAMS + 3 * p{n} + {e}]" for e in range(3))]
+        return [Do(f"{s} {sign if e > 6 else '+'}= {f'd{n}' if e > 6 else f'c[{n}]'} * {at[e]};")
+                for e, s in enumerate(sums)]
+
+    def store(x, row):
+        return (Do(f"Q[{row}] = {x}[0];", free=True),
+                Do(f"block({x} + 1, {x} + 7, {x}, K + 9 * HOBE_PARTS * {row});"))
 
     return Function(
-        "expand",
-        (*numbers("weight"), *given("even", "odd"), *filled("Q", "sym", "skew")),
-        "Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair\n"
-        " * of mirror images what they share to the first, what they differ by to the other",
+        "nodal_blocks",
+        (INVARIANTS, *given("T"), *filled("Q", "K")),
+        "Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a\n"
+        " * row and its mirror image the sum of what they share, then that of what they differ by",
         (
-            loop("v", "V", loop(
-                "u", "v + 1",
-                Let("r", "hobe_pair(v, u)"),
-                Let("a", "nodal->mirror[v]"), Let("b", "nodal->mirror[u]"),
-                Let("other", "symmetric(a, b) < r"),
-                Let("i", "other ? larger(a, b) : v"), Let("j", "other ? a + b - i : u"),
-                Let("part", "odd_of[v] ^ odd_of[u] ^ other"),
-                Let("turned", "part ^ (a < b)"),
-                Let("k", "mode[i]"), Let("l", "mode[j]"), Let("at", "10 * (k * S + l)"),
-                Do("const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);", free=True),
-                Do("const double *c = w2 + 4 * part, *d = w2 + 4 * turned;", free=True),
-                Do("const hobe_real *t = part ? odd : even, *w = turned ? odd : even;", free=True),
-                terms("k == 0 && l == 0", (0,)),
-                terms("k == 0 && l > 0", (0, 1)),
-                terms("k > 0 && l == 0", (0, 2)),
-                terms("k > 0 && l > 0", (0, 1, 2, 3)), first="OPPOSED"), first="OPPOSED"),
+            Let("last", LAST),
+            loop("o", "IMAGES + ALONE", *LEAD,
+                 Let("k", "mode[v]"), Let("l", "mode[u]"), Let("parts", "1 + (o < IMAGES)"),
+                 Let("p0", "symmetric(k, l)"), Let("p1", "symmetric(k, M - 1 + l)"),
+                 Let("p2", "symmetric(M - 1 + k, l)"), Let("p3", "symmetric(M - 1 + k, M - 1 + l)"),
+                 Do("const double side = k < l ? -1.0 : 1.0;", free=True),
+                 Do("hobe_real x[20], y[10];", free=True),
+                 loop("z", "parts",
+                      Let("part", "odd_of[v] ^ odd_of[u] ^ z"),
+                      Let("turned", "part ^ (nodal->mirror[v] < nodal->mirror[u])"),
+                      *(Do("hobe_real " + ", ".join(f"{s} = zero" for s in half) + ";", free=True)
+                        for half in (sums[:5], sums[5:])),
+                      loop("g", "last + 1",
+                           Let("image", "inv->stations - 1 - g"),
+                           Do("const hobe_real *t = T + 10 * GRAMS * (part ? image : g);",
+                              free=True),
+                           Do("const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);",
+                              free=True),
+                           Do("const double *c = inv->section + AXIAL * g + 4 * part +\n"
+                              "                  8 * (A * axial_of[v] + axial_of[u]);", free=True),
+                           Do("const double *d = c + 4 * (turned - part);", free=True),
+                           Do("const double d0 = side * d[0], d1 = d[1], d2 = d[2], "
+                              "d3 = side * d[3];", free=True),
+                           *add(0, "+"),
+                           If("l > 0", add(1, "-")),
+                           If("k > 0", add(2, "+")),
+                           If("k > 0 && l > 0", add(3, "+"))),
+                      *(Do(f"x[10 * z + {e}] = {s};", free=True) for e, s in enumerate(sums)),
+                      If("v == u", (axis3("x[10 * z + 7 + a] = zero;"),))),
+                 If("parts == 1", store("x", "m")),
+                 If("parts == 2", (
+                     loop("e", "10", Do("y[e] = x[e] + x[10 + e];")), *store("y", "m"),
+                     loop("e", "10", Do("y[e] = x[e] - x[10 + e];")), *store("y", "n")))),
+            If("OPPOSED", (Do("opposed_blocks(K);"),)),
         ))
+
+
+LAST = "MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1"
 
 
 def _tangent_part():
@@ -246,27 +259,18 @@ def _tangent_part():
         (INVARIANTS, *given("q0", "u"), *filled("f", "K", "scratch")),
         "f = dU/dq and K = df/dq, eq. 28, for one part of a batch",
         (
-            Do("hobe_real x0[3 * V], x[3 * V];", free=True),
-            Do("hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;", free=True),
-            Do("hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;",
-               free=True),
+            Do("hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;", free=True),
+            Do("hobe_real *T = X + 9 * GRAMS - 3 * S;", free=True),
             Do("gather(q0, x0);"),
             Do("gather(u, x);"),
-            loop("i", "10 * BLOCKS", Do("Q[i] = zero;")),
-            Let("last", "MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1"),
-            loop("g", "last + 1",
-                 Let("other", "MIRRORED ? inv->stations - 1 - g : g"),
-                 Do("station_rows(inv, g, x0, x, T, rest);"),
-                 If("other != g", (
-                     Do("station_rows(inv, other, x0, x, W, rest);"),
-                     Do("even_and_odd(T, W);"))),
-                 Do("const hobe_real *odd = other == g ? T : W;", free=True),
-                 Do("expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);")),
+            loop("g", "inv->stations", Do("station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);")),
+            Let("couples", "MIRRORED ? inv->stations / 2 : 0"),
+            loop("g", "couples",
+                 Do("even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));")),
+            Do("nodal_blocks(inv, T, Q, K);"),
             Note("D = D0 + U"),
             loop("i", "3 * V", Do("x[i] += x0[i];")),
-            Do("images(Q);"),
             Do("tensor_force(Q, x, f);"),
-            Do("finish(Q, sym, skew, K);"),
         ))
 
 

@@ -60,8 +60,8 @@ class Layout:
     sign: tuple         # of each vector of a row: that of its image
     columns: tuple      # Column
     products: Products  # of the columns, for the rows
-    images: tuple       # (row, row of its mirror image): the parts of both
-    alone: tuple        # rows that are their own image
+    images: tuple       # (i, j) of rows that come before those of their mirror images, by modes
+    alone: tuple        # of rows that are their own image
 
     @property
     def sizes(self):
@@ -85,7 +85,7 @@ class Layout:
             "odd_of": [int(s < 0) for s in self.sign],
             "left": [c.left for c in self.columns], "right": [c.right for c in self.columns],
             "shifted": [int(c.shifted) for c in self.columns],
-            "image": [r for both in self.images for r in both], "alone": self.alone,
+            "lead": [v for row in self.images + self.alone for v in row],
         }
 
 
@@ -107,6 +107,8 @@ def layout(element):
     rows, kinds, skew_kinds, images, alone = _rows(mirror, sign, parity, first=int(opposed))
     products = Products("nodal", len(columns), mirror, pairs, first_pair, *by_class(rows, kinds),
                         *by_class(skew_kinds, skew_kinds))
+    images, alone = (tuple(sorted(rows, key=lambda row: sorted(vectors[v].mode for v in row)))
+                     for rows in (images, alone))
     return Layout(positions[-1], opposed, mirrored, sign, columns, products, images, alone)
 
 
@@ -174,10 +176,10 @@ def _rows(mirror, sign, parity, first):
             if i != j:
                 skew[row] = yz + (odd ^ (a < b))
             if row < other:
-                images.append((row, other))
+                images.append((i, j))
             elif row == other:
-                alone.append(row)
-    return rows, kinds, skew, tuple(images), tuple(alone)
+                alone.append((i, j))
+    return rows, kinds, skew, images, alone
 
 
 # ---- loop nests ----------------------------------------------------------------------------------
@@ -225,11 +227,16 @@ def _state():
          Do("return H;", free=True)), result="const double *")
 
 
+# Of a row that leads, the vectors and the number; and the number of its mirror image.
+LEAD = (Let("v", "lead[2 * o]"), Let("u", "lead[2 * o + 1]"), Let("m", "hobe_pair(v, u)"),
+        Let("n", "symmetric(nodal->mirror[v], nodal->mirror[u])"))
+
+
 def _images():
     return Function(
         "images", filled("Q"), "Q of the rows from the parts that mirror images share",
-        (loop("o", "IMAGES",
-              Do("hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];", free=True),
+        (loop("o", "IMAGES", *LEAD,
+              Do("hobe_real *a = Q + m, *b = Q + n;", free=True),
               Do("const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];"),
               Do("a[0] = sum;", free=True), Do("b[0] = difference;", free=True)),))
 
@@ -293,8 +300,7 @@ def _blocks():
         "blocks", (*given("Q", "sym", "skew"), *filled("K")),
         "K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, "
         "those of images from their sum and difference",
-        (loop("o", "IMAGES",
-              Let("m", "image[2 * o]"), Let("n", "image[2 * o + 1]"),
+        (loop("o", "IMAGES", *LEAD,
               Do("hobe_real s[6], r[3];", free=True),
               loop("e", "6", Do("s[e] = sym[6 * m + e] + sym[6 * n + e];")),
               loop("e", "3", Do("r[e] = skew[3 * m + e] + skew[3 * n + e];")),
@@ -302,7 +308,8 @@ def _blocks():
               loop("e", "6", Do("s[e] = sym[6 * m + e] - sym[6 * n + e];")),
               loop("e", "3", Do("r[e] = skew[3 * m + e] - skew[3 * n + e];")),
               store("n")),
-         loop("o", "ALONE", Let("m", "alone[o]"), store("m", "sym + 6 * m", "skew + 3 * m"))))
+         loop("o", "IMAGES + ALONE", *LEAD[:3], store("m", "sym + 6 * m", "skew + 3 * m"),
+              first="IMAGES")))
 
 
 def _tangent_part():

@@ -12,8 +12,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The velocities of the start may be mended by so much, relatively. */
-static const double MENDED = 1e-6;
+/* The velocities of the start may be mended by so much, relatively, and by what would move the
+ * scene by so much of its size to the end: drives are differentiated with rounding. */
+static const double MENDED = 1e-6, TINY = 1e-9;
 
 /* The constraints hold at the start to this, weighed: what a result of statics leaves. */
 static const double CLOSED = 1e-8;
@@ -186,6 +187,7 @@ static enum hobe_status check_position(struct genalpha *g, struct hobe_error *er
 static enum hobe_status begin(struct run *run, struct hobe_error *err)
 {
     struct genalpha *g = &run->g;
+    const size_t size = (size_t)(3 * g->s.model->vectors) * sizeof(double);
     double *rate = g->a, changed;
     enum hobe_status status = find_start(run, err);
     if (status)
@@ -199,12 +201,12 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
     if (status)
         return status;
     const double speed = genalpha_norm(g, g->now.v);
+    memcpy(g->v, g->now.v, size);
     status = settle(g, &changed, err);
     if (status)
         return status;
-    if (changed > MENDED * speed) {
-        for (long i = 0; i < 3 * g->s.model->moving; i++)
-            g->now.v[i] -= g->w[i];
+    if (changed > MENDED * speed + TINY * g->size / (run->options.to - g->now.time)) {
+        memcpy(g->now.v, g->v, size);
         settle_rate(g, &g->now, g->s.u, g->force, rate);
         return fail_broken(g, rate, speed == 0 ? JUMP : BROKEN, err);
     }

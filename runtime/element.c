@@ -9,9 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Where shape or section vary along an element its energy is no polynomial of xi, and takes a few
- * stations more than one that is straight and prismatic. */
-enum { PAPER_STATIONS = 3, MORE_STATIONS = 2, MOST_STATIONS = 32 };
+/* Where shape or section vary along an element its energy is no polynomial of xi, and takes
+ * HOBE_MORE_STATIONS more than one that is straight and prismatic. */
+enum { PAPER_STATIONS = 3, MOST_STATIONS = 32 };
 
 /* Relative to what is already spanned, in the square: a section function closer to the earlier
  * modes than this is not a new one.  w of a circle is 0; of a rectangle never less than 1e-3. */
@@ -361,7 +361,7 @@ static int stations(const struct hobe_kernel *kernel, int varies, enum hobe_inte
         return kernel->stations;
     if (integration == HOBE_INTEGRATION_PAPER)
         return PAPER_STATIONS;
-    return kernel->stations + (varies ? MORE_STATIONS : 0);
+    return kernel->stations + (varies ? HOBE_MORE_STATIONS : 0);
 }
 
 static enum hobe_status axis_rule(const struct hobe_kernel *kernel, int count, double (*rule)[2],

@@ -88,7 +88,6 @@ static enum hobe_status open_basis(struct gyroscopic *g, struct hobe_error *err)
     struct pencil *s = g->s;
     const size_t size = (size_t)(3 * s->model->vectors), n = (size_t)s->n;
     const size_t wanted = (size_t)g->wanted;
-    long column;
     g->field = hobe_alloc(size, sizeof *g->field, err);
     g->force = hobe_alloc(size, sizeof *g->force, err);
     g->lambda = hobe_alloc(2 * wanted, sizeof *g->lambda, err);
@@ -102,7 +101,7 @@ static enum hobe_status open_basis(struct gyroscopic *g, struct hobe_error *err)
     memcpy(g->V, s->X, (size_t)g->count * n * sizeof *g->V);
     for (int k = 0; k < g->count; k++)
         multiply_gyroscopic(g, g->V + k * s->n, g->GV + k * s->n);
-    return hobe_linsolve_factor(s->model->solver, s->Ax, s->ones, &column, err);
+    return pencil_factor(s, s->Ax, s->ones, err);
 }
 
 static void close_basis(struct gyroscopic *g)
@@ -269,7 +268,7 @@ static enum hobe_status correct(struct gyroscopic *g, int i, double *size, struc
         }
     }
     for (int part = 0; part < 2; part++) {
-        const enum hobe_status status = hobe_linsolve_solve(g->s->model->solver, e + part * n, err);
+        const enum hobe_status status = pencil_divide(g->s, e + part * n, err);
         if (status)
             return status;
         for (long k = 0; k < n; k++)

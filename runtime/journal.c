@@ -34,11 +34,11 @@ static size_t padded(uint64_t size)
 }
 
 /* Fowler, Noll & Vo's sum (FNV-1a), of the size as well, so that no run of zeros is a record. */
-static uint64_t sum_of(const void *bytes, uint64_t size)
+uint64_t journal_sum(const void *bytes, size_t size)
 {
     const unsigned char *b = bytes;
     uint64_t sum = 14695981039346656037u ^ size;
-    for (uint64_t i = 0; i < size; i++)
+    for (size_t i = 0; i < size; i++)
         sum = (sum ^ b[i]) * 1099511628211u;
     return sum;
 }
@@ -52,7 +52,8 @@ static const char *record_at(const char *bytes, size_t end, size_t offset, struc
     memcpy(head, bytes + offset, sizeof *head);
     const size_t room = end - offset - sizeof *head;
     const char *record = bytes + offset + sizeof *head;
-    if (head->size > room || padded(head->size) > room || head->sum != sum_of(record, head->size))
+    if (head->size > room || padded(head->size) > room ||
+        head->sum != journal_sum(record, head->size))
         return NULL;
     *next = offset + sizeof *head + padded(head->size);
     return record;
@@ -152,6 +153,16 @@ hobe_journal *journal_open(const char *folder, const char *name, const char *key
     return NULL;
 }
 
+void journal_remove(const char *folder, const char *name)
+{
+    const char *base;
+    const int dir = hobe_open_parent(folder, name, 0, &base, NULL);
+    if (dir >= 0) {
+        unlinkat(dir, base, 0);
+        close(dir);
+    }
+}
+
 void journal_close(hobe_journal *j)
 {
     if (!j)
@@ -182,7 +193,7 @@ enum hobe_status journal_add(hobe_journal *j, const void *record, size_t size,
         return hobe_fail(err, HOBE_IO, NULL, "%s could not be written before", j->path);
     if (!bytes)
         return HOBE_NO_MEMORY;
-    const struct head head = {size, sum_of(record, size)};
+    const struct head head = {size, journal_sum(record, size)};
     memcpy(bytes, &head, sizeof head);
     memcpy(bytes + sizeof head, record, size);
     size_t written = 0;

@@ -13,6 +13,7 @@
 #include "error.h"
 
 #include <stddef.h>
+#include <stdint.h>
 
 typedef struct hobe_journal hobe_journal;
 
@@ -30,6 +31,12 @@ const void *journal_read(hobe_journal *journal, size_t *size);
 /* Appends a record.  HOBE_IO, after which no more can be added. */
 enum hobe_status journal_add(hobe_journal *journal, const void *record, size_t size,
                              struct hobe_error *err);
+
+/* The sum of size bytes that records are known by. */
+uint64_t journal_sum(const void *bytes, size_t size);
+
+/* Removes a journal's file, if there is one. */
+void journal_remove(const char *folder, const char *name);
 
 /* Closes the file, which stays; NULL is allowed. */
 void journal_close(hobe_journal *journal);

@@ -51,7 +51,8 @@ enum {
     HOBE_LANES = 8,          /* elements in a batch */
     HOBE_MAX_FUNCTIONS = 16, /* section functions (warping functions etc.) an element may use */
     HOBE_MAX_MODES = 24,     /* section modes of an element */
-    HOBE_MAX_VECTORS = 256   /* nodal vectors of an element */
+    HOBE_MAX_VECTORS = 256,  /* nodal vectors of an element */
+    HOBE_MORE_STATIONS = 2   /* that invariants may have above those of the kernel */
 };
 
 typedef double hobe_lanes __attribute__((vector_size(8 * sizeof(double))));

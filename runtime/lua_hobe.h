@@ -84,6 +84,7 @@ struct hobe_lua {
     const char *folder; /* for results, or NULL: no files; kept by the caller */
     const char *script; /* the case, or NULL in a stock Lua; kept by the caller */
     int trusted;        /* the case may read any file */
+    int resume;         /* motions go on from their journals */
     int solves;         /* calls of a solver verb so far */
     int overridden;     /* some parameter is not at its default */
     int called;         /* a function of the script is being called by the core */
@@ -97,6 +98,13 @@ struct hobe_lua {
 };
 
 struct hobe_lua *hobe_lua_context(lua_State *L);
+
+/* The journal of the motion that is about to be solved, to be closed by the caller; NULL where
+ * there is no output folder.  Raises.  (lua_resume.c) */
+struct hobe_journal *hobe_lua_open_journal(lua_State *L);
+
+/* Removes those of all motions of this run. */
+void hobe_lua_drop_journals(lua_State *L);
 
 /* Tables that belong to the context. */
 enum hobe_lua_store {

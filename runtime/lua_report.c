@@ -270,5 +270,6 @@ int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to)
         hobe_lua_write_files(L);
     }
     write_text(L, text, to);
+    hobe_lua_drop_journals(L);
     return !context->overridden && push_failure(L, value, count);
 }

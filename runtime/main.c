@@ -20,6 +20,8 @@ static const char usage[] =
     "  hobe run CASE [name=value ...]   run a case script, with parameters changed\n"
     "      --out DIR                    write report, tables and pictures to a folder\n"
     "      --format table|json|csv      how the report is printed (table)\n"
+    "      --resume                     go on with motions that a run of the same case into the\n"
+    "                                   same folder had begun when it was stopped\n"
     "      --log                        print each Newton iteration on standard error\n"
     "      --time-limit S               processor time that the script may spend in Lua (10)\n"
     "      --memory-limit MB            memory that the script may use in Lua (512)\n"
@@ -82,7 +84,7 @@ static void complain_error_value(const char *script, const char *type)
 struct run {
     const char *script, *folder;
     enum hobe_lua_format format;
-    int log, trust;
+    int log, trust, resume;
     double seconds, megabytes; /* < 0: not given; 0: no limit */
     int overrides;
     char **override; /* [overrides] "name=value" */
@@ -96,6 +98,7 @@ static void set_context(lua_State *L, const struct run *run)
     context->folder = run->folder;
     context->script = run->script;
     context->trusted = run->trust;
+    context->resume = run->resume;
     context->log = run->log;
     context->progress = isatty(STDERR_FILENO);
     hobe_lua_push_store(L, HOBE_LUA_OVERRIDES);
@@ -247,6 +250,8 @@ static int read_argument(struct run *run, char **argv, int *i)
         run->log = 1;
     else if (!strcmp(argv[*i], "--trust"))
         run->trust = 1;
+    else if (!strcmp(argv[*i], "--resume"))
+        run->resume = 1;
     else if (*argv[*i] == '-')
         return complain_usage("unknown option or missing value: %.100s (see hobe help)", argv[*i]);
     else if (strchr(argv[*i], '='))
@@ -269,6 +274,8 @@ static int command_run(int argc, char **argv)
     }
     if (!run.script)
         return complain("which case? hobe run CASE [name=value ...] (see hobe help)", 2);
+    if (run.resume && !run.folder)
+        return complain("--resume needs the folder of the run that was stopped: --out DIR", 2);
     return start(&run);
 }
 

@@ -35,10 +35,8 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
     spring_add(model, solution->u, &instant, r, NULL);
     damping_add(model, solution->u, &instant, r, NULL);
     load_subtract(model, solution->u, &instant, solution->info.load, r, NULL);
-    if (solution->v) {
-        damping_add(model, solution->u, &instant, r, NULL);
+    if (solution->w)
         mass_force(model, 1, solution->w, r);
-    }
     for (int v = 0; v < beam->kernel->vectors; v++) {
         const struct hobe_vector *is = beam->kernel->vector + v;
         const long number = model_vector(model, beam, e, v);

@@ -53,7 +53,11 @@ static enum hobe_status add_items(struct run *run)
         {.beam = "outer", .at = 1, .value = {0, 10, -20}},
         {.beam = "inner", .at = 0.3, .value = {5, 0, 10}, .follower = 1}};
     const struct hobe_moment moment = {.beam = "outer", .at = 0.5, .value = {10, 20, 30}};
+    const struct hobe_spring spring = {
+        .beam = {"outer", "upright"}, .name = "brace", .at = {0.3, 1}, .stiffness = {1e4}};
     enum hobe_status status = hobe_model_clamp(run->model, &clamp, &run->err);
+    if (!status)
+        status = hobe_model_spring(run->model, &spring, &run->err);
     if (!status)
         status = hobe_model_joint(run->model, &joint, &run->err);
     for (int i = 0; !status && i < 2; i++)

@@ -1,0 +1,10 @@
+-- expect: bad/damping_negative\.lua:6: beam: damping\.mass must be >= 0, got -1$
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local scene = hobe.scene{
+  hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+             from = {0, 0, 0}, to = {1, 0, 0}, damping = { mass = -1 } },
+  hobe.clamp{ "blade", at = 0 },
+}
+local r = hobe.static(scene)

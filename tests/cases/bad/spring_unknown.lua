@@ -1,0 +1,12 @@
+-- expect: bad/spring_unknown\.lua:12: there is no spring "b" in the scene; those with a name are: "a"$
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local scene = hobe.scene{
+  hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+             from = {0, 0, 0}, to = {1, 0, 0} },
+  hobe.clamp{ "blade", at = 0 },
+  hobe.spring{ "blade", at = 1, to = {1, 0, 1}, stiffness = 3, name = "a" },
+}
+local r = hobe.static(scene)
+r:spring("b")
