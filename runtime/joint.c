@@ -394,8 +394,13 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
     enum hobe_status status = rank_open(&rank, 6 * (long)parts, err);
     for (size_t i = 0; !status && i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
+<<<<<<< HEAD
         tie_jacobian(tie, NULL, J);
         if (!tie->corner && !tie->rigidity)
+=======
+        tie_jacobian(tie, J);
+        if (!tie->corner)
+>>>>>>> b8befdc64da4e04d52ee909c3c40744d4f757eb1
             status = add_rows(model, tie, tie->constraints, J, root, held, &rank, err);
     }
     for (size_t i = 0; !status && i < model->springs.count; i++) {
@@ -436,7 +441,7 @@ enum hobe_status joint_check_redundant(const hobe_model *model, struct hobe_erro
     for (size_t i = 0; !status && i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         int independent = 1;
-        tie_jacobian(tie, NULL, J);
+        tie_jacobian(tie, J);
         for (int k = 0; !status && k < tie->constraints && !model->held[tie->multiplier]; k++) {
             for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++) {
                 const long unknown = model->unknown[tie->vector[t->entry]];

@@ -97,6 +97,23 @@ static double work_of(const struct solver *s)
     return sum;
 }
 
+/* K += factor M */
+static void add_mass(const struct solver *s, double factor, const struct matrix *K)
+{
+    if (s->mass.value && s->mass.layout == K->layout)
+        pattern_add(s->model, factor, &s->mass, K);
+    else
+        mass_matrix(s->model, factor, K);
+}
+
+enum hobe_status solver_keep_mass(struct solver *s, struct hobe_error *err)
+{
+    const enum hobe_status status = pattern_matrix(s->model, s->K.layout, &s->mass, err);
+    if (!status)
+        mass_matrix(s->model, 1, &s->mass);
+    return status;
+}
+
 static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
     const struct motion *m = &s->motion;
@@ -113,7 +130,7 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
-        mass_matrix(s->model, m->mass_alone ? 1 : m->inertia, K);
+        add_mass(s, m->mass_alone ? 1 : m->inertia, K);
 }
 
 void solver_evaluate(struct solver *s, double factor, enum tangent tangent)
@@ -416,6 +433,7 @@ void solver_close(struct solver *s)
     hobe_free(s->r);
     hobe_free(s->K.value);
     hobe_free(s->pivoting.value);
+    hobe_free(s->mass.value);
     hobe_free(s->x);
     hobe_free(s->scale);
 }

@@ -299,6 +299,14 @@ void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double 
         }
 }
 
+void pattern_add(const struct hobe_model *model, double factor, const struct matrix *B,
+                 const struct matrix *A)
+{
+    const size_t size = values(model, A->layout);
+    for (size_t i = 0; i < size; i++)
+        A->value[i] += factor * B->value[i];
+}
+
 /* Of the diagonals, 0 where they are. */
 static void scale_columns(const struct pattern *p, const double *Ax, double *scale)
 {
