@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Motion in time: where it starts, which steps it takes, what is kept of it. */
-<<<<<<< HEAD
-#include "body.h"
-=======
 #include "dynamic.h"
 
->>>>>>> b8befdc64da4e04d52ee909c3c40744d4f757eb1
+#include "body.h"
 #include "constraint.h"
 #include "drive.h"
 #include "mass.h"

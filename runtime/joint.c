@@ -394,13 +394,8 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
     enum hobe_status status = rank_open(&rank, 6 * (long)parts, err);
     for (size_t i = 0; !status && i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
-<<<<<<< HEAD
-        tie_jacobian(tie, NULL, J);
-        if (!tie->corner && !tie->rigidity)
-=======
         tie_jacobian(tie, J);
-        if (!tie->corner)
->>>>>>> b8befdc64da4e04d52ee909c3c40744d4f757eb1
+        if (!tie->corner && !tie->rigidity)
             status = add_rows(model, tie, tie->constraints, J, root, held, &rank, err);
     }
     for (size_t i = 0; !status && i < model->springs.count; i++) {

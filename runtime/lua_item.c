@@ -559,13 +559,8 @@ static const struct hobe_lua_key force_keys[] = {
                  .doc = "of such a function: `function(t, x, v) return dF_dx, dF_dv end`, lists of "
                         "three rows, the second where it is not 0; differences where left out"),
     KEY(struct hobe_force, follower, KEY_FLAG,
-<<<<<<< HEAD
         .doc = "whether the force turns with the section or body (false: it keeps its direction)"),
-    TIME_KEY("history", NULL, "a factor"),
-=======
-        .doc = "whether the force turns with the section (false: it keeps its direction)"),
     HISTORY_KEY,
->>>>>>> b8befdc64da4e04d52ee909c3c40744d4f757eb1
     {0}};
 
 static const struct hobe_lua_key moment_keys[] = {
