@@ -180,19 +180,43 @@ static struct hobe_point read_point(lua_State *L, const char *name)
     return point;
 }
 
+/* Whether the arguments of a method name a body, and, behind its name, a point of it or nil: finds
+ * where that is. */
+static int read_body(lua_State *L, const char *name, struct hobe_body_point *is)
+{
+    const struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_error err;
+    double point[3];
+    lua_settop(L, 5);
+    const char *body = hobe_lua_text(L, 2, lua_pushfstring(L, "%s: the beam or body", name));
+    if (!hobe_model_has_body(result->model, body))
+        return 0;
+    const int given = hobe_lua_read_body_point(L, 3, name, point);
+    if (hobe_solution_body(result->solution, body, given ? point : NULL, is, &err))
+        hobe_lua_raise(L, &err);
+    return 1;
+}
+
 static int displacement(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "displacement").u, 3);
+    struct hobe_body_point is;
+    return hobe_lua_push_numbers(
+        L, read_body(L, "displacement", &is) ? is.u : read_point(L, "displacement").u, 3);
 }
 
 static int position(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "position").r, 3);
+    struct hobe_body_point is;
+    return hobe_lua_push_numbers(
+        L, read_body(L, "position", &is) ? is.r : read_point(L, "position").r, 3);
 }
 
 /* Pushes the velocity of the place that the arguments ask for, or the acceleration. */
 static int push_rate(lua_State *L, const char *name, int acceleration)
 {
+    struct hobe_body_point is;
+    if (read_body(L, name, &is))
+        return hobe_lua_push_numbers(L, acceleration ? is.acceleration : is.velocity, 3);
     const struct spot s = read_spot(L, name);
     double rate[2][3];
     struct hobe_error err;
@@ -213,7 +237,18 @@ static int acceleration(lua_State *L)
 
 static int rotation(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "rotation").rotation, 3);
+    struct hobe_body_point is;
+    return hobe_lua_push_numbers(
+        L, read_body(L, "rotation", &is) ? is.rotation : read_point(L, "rotation").rotation, 3);
+}
+
+static int angular_velocity(lua_State *L)
+{
+    struct hobe_body_point is;
+    if (!read_body(L, "angular_velocity", &is))
+        hobe_lua_fail(L, "angular_velocity: there is no body \"%s\" in the scene",
+                      lua_tostring(L, 2));
+    return hobe_lua_push_numbers(L, is.angular_velocity, 3);
 }
 
 static int strain(lua_State *L)
@@ -361,16 +396,20 @@ static int spring(lua_State *L)
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"displacement", displacement, "r:displacement(beam, at [, y, z])",
      "`{u1, u2, u3}`, m, global axes, at the fraction `at` of the beam's length; of the axis, or "
-     "of the point (y, z) of the section, m from the centroid.",
+     "of the point (y, z) of the section, m from the centroid.  Of a body: "
+     "`r:displacement(body [, point])`, of its centre of mass, or of the point that was at "
+     "`{x, y, z}` in the reference.",
      NULL, NULL},
-    {"position", position, "r:position(beam, at [, y, z])", "`{x, y, z}`, m, global axes.", NULL,
-     NULL},
+    {"position", position, "r:position(beam, at [, y, z])",
+     "`{x, y, z}`, m, global axes; also of a body.", NULL, NULL},
     {"velocity", velocity, "r:velocity(beam, at [, y, z])",
-     "Of a state of a motion, `{v1, v2, v3}`, m/s, global axes.", NULL, NULL},
+     "Of a state of a motion, `{v1, v2, v3}`, m/s, global axes; also of a body.", NULL, NULL},
     {"acceleration", acceleration, "r:acceleration(beam, at [, y, z])", "Likewise, m/s^2.", NULL,
      NULL},
+    {"angular_velocity", angular_velocity, "r:angular_velocity(body)",
+     "Of a body in a state of a motion, rad/s, global axes.", NULL, NULL},
     {"rotation", rotation, "r:rotation(beam, at)",
-     "The rotation vector of the section, rad, global axes.", NULL, NULL},
+     "The rotation vector of the section, or of a body, rad, global axes.", NULL, NULL},
     {"twist", twist, "r:twist(beam, at)",
      "`atan2(-r_z.Y, r_z.Z)`, rad, with Y and Z the section's axes before the load, and its whole "
      "turns, counted along the beam from its first clamp (its begin, without one).  The slope "
