@@ -42,8 +42,7 @@ static void sum_loads(const hobe_model *model, const double *u, const struct ins
 static struct power find_power(const hobe_model *model, const double *u,
                                const struct instant *instant, double *rate)
 {
-    struct power power = {.damped = damping_power(model, u, instant->v) +
-                                    spring_power(model, u, instant->v)};
+    struct power power = {.damped = damping_power(model, u, instant->v)};
     memset(rate, 0, (size_t)(3 * model->vectors) * sizeof *rate);
     constraint_rate(model, u, instant, rate);
     for (long i = 3 * model->moving; i < 3 * model->vectors; i++)
@@ -106,8 +105,8 @@ static struct hobe_energies measure(struct genalpha *g, const struct account *ac
     const hobe_model *model = g->s.model;
     struct hobe_energies e = {.time = g->now.time,
                               .kinetic = mass_product(model, g->now.v, g->now.v) / 2,
-                              .strain = assemble_energy(model, g->now.u) +
-                                        spring_energy(model, g->now.u),
+                              .strain =
+                                  assemble_energy(model, g->now.u) + spring_energy(model, g->now.u),
                               .loads = account->loads,
                               .drives = account->drives,
                               .damped = account->damped};
