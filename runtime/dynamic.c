@@ -40,6 +40,7 @@ struct run {
     double wanted;  /* longest step now, s */
     double error;   /* of the last step, relative */
     double largest; /* of all steps of this length */
+    int steady;     /* how many these are */
     double started; /* on the clock */
 };
 
@@ -226,6 +227,7 @@ static enum hobe_status choose_step(struct run *run, double target, int kink,
     struct genalpha *g = &run->g;
     const int first = g->now.step == 0, differs = genalpha_choose_step(g, target, run->wanted);
     double changed;
+    run->steady = differs ? 0 : run->steady;
     if (first || !(differs || kink))
         return HOBE_OK;
     const enum hobe_status status = settle(g, &changed, err);
@@ -307,18 +309,18 @@ static void take(struct run *run, double target)
     log_step(run, "");
 }
 
-/* Lets the step grow where the error allows it. */
+/* Lets the step grow where the error allows it: at once, or from the next stop on. */
 static enum hobe_status grow(struct run *run, double target, struct hobe_error *err)
 {
     const struct genalpha_state *now = &run->g.now;
     const double longest = run->options.step > 0 ? run->options.step : INFINITY;
-    run->largest = now->taken == 1 ? run->error : fmax(run->largest, run->error);
+    run->largest = run->steady++ ? fmax(run->largest, run->error) : run->error;
     const double factor = fmin(MOST_GROWTH, growth(run, run->largest));
-    if (!(run->options.accuracy > 0) || now->taken < PATIENCE || factor < GROW ||
-        now->time >= target || now->step * GROW > fmin(longest, target - now->time))
+    if (!(run->options.accuracy > 0) || run->steady < PATIENCE || factor < GROW ||
+        now->step * GROW > longest)
         return HOBE_OK;
     run->wanted = fmin(longest, now->step * factor);
-    return choose_step(run, target, 0, err);
+    return now->step * GROW > target - now->time ? HOBE_OK : choose_step(run, target, 0, err);
 }
 
 /* Where steps must end. */
