@@ -323,19 +323,26 @@ static enum hobe_status grow(struct run *run, double target, struct hobe_error *
     return now->step * GROW > target - now->time ? HOBE_OK : choose_step(run, target, 0, err);
 }
 
-/* Where steps must end. */
+/* Where steps must end, s: at the next state to keep, INFINITY where all are, and at the next break
+ * of a drive or a load; the nearest is the target, or `to`.  Of such as rounding parts it is the
+ * break, after which drives go on. */
 struct stops {
-    double begin; /* of the motion, s */
-    double store; /* the next state to keep; INFINITY where all are */
-    double kink;  /* the next break of a drive or a load */
+    double begin, store, kink, target;
+    int keep; /* the state at the target */
 };
 
 static void find_stops(const struct run *run, double t, struct stops *stops)
 {
-    const double every = run->options.store;
+    const double every = run->options.store, to = run->options.to, near = TINY * run->wanted;
     stops->kink = drive_next(run->g.s.model, t);
     if (every > 0 && !(stops->store > t))
-        stops->store = stops->begin + every * floor((t - stops->begin) / every + 1 + 1e-9);
+        stops->store = stops->begin + every * floor((t - stops->begin) / every + 1 + TINY);
+    stops->target = fmin(to, fmin(stops->store, stops->kink));
+    stops->keep = fmin(to, stops->store) <= stops->target + near;
+    if (stops->kink <= stops->target + near)
+        stops->target = stops->kink;
+    else if (to <= stops->target + near)
+        stops->target = to;
 }
 
 /* Steps up to a time; all states are kept, or that at its end if `last`. */
@@ -358,17 +365,16 @@ static enum hobe_status move_to(struct run *run, double target, int all, int las
 
 static enum hobe_status move(struct run *run, struct hobe_error *err)
 {
-    const double *t = &run->g.now.time, to = run->options.to;
+    const double *t = &run->g.now.time;
     const int all = !(run->options.store > 0);
-    struct stops stops = {*t, all ? INFINITY : *t, *t};
+    struct stops stops = {.begin = *t, .store = all ? INFINITY : *t, .kink = *t};
     enum hobe_status status = HOBE_OK;
-    while (!status && *t < to) {
+    while (!status && *t < run->options.to) {
         const int kink = *t == stops.kink;
         find_stops(run, *t, &stops);
-        const double target = fmin(to, fmin(stops.store, stops.kink));
-        status = choose_step(run, target, kink, err);
+        status = choose_step(run, stops.target, kink, err);
         if (!status)
-            status = move_to(run, target, all, target == to || target == stops.store, err);
+            status = move_to(run, stops.target, all, stops.keep, err);
     }
     return status;
 }

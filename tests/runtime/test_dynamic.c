@@ -357,7 +357,7 @@ static void accuracy(const hobe_section *section)
     double u[3][3];
     fall(section, (struct hobe_dynamic){.to = 0.3, .accuracy = 1e-5}, u[0], info);
     fall(section, (struct hobe_dynamic){.to = 0.3, .accuracy = 1e-5, .step = 2e-3}, u[1], info + 1);
-    fall(section, (struct hobe_dynamic){.to = 0.3, .step = 1e-4, .store = 0.1}, u[2], info + 2);
+    fall(section, (struct hobe_dynamic){.to = 3 * 0.1, .step = 1e-4, .store = 0.1}, u[2], info + 2);
     check_that(info[0].largest_step > 2 * info[0].smallest_step, "the step grows");
     check_that(info[1].largest_step <= 2e-3, "but not beyond what is asked: %g",
                info[1].largest_step);
