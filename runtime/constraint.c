@@ -173,22 +173,21 @@ static void turn_columns(const double e[3], double alpha, double beta, const dou
     }
 }
 
-/* The p-th derivative by time of a constraint: of the rotation R = 1 + sin(theta) [e]x + (1 -
- * cos(theta)) [e]x^2, whose alpha and beta are those of sine and 1 - cosine, and of the way. */
-static struct constraint drive_constraint(const struct tie *tie, const struct constraint *is, int p,
-                                          double alpha, double beta, double way)
+/* Adds to c, the p-th derivative by time of a constraint, what the rotation R = 1 + sin(theta) [e]x
+ * + (1 - cos(theta)) [e]x^2 has beside 1, alpha and beta those of sine and 1 - cosine, and the way.
+ */
+static void drive_constraint(const struct tie *tie, const struct constraint *is, int p,
+                             double alpha, double beta, double way, struct constraint *c)
 {
-    struct constraint c = p == 0 ? *is : (struct constraint){.offset = 0};
     double turned[3][3];
     turn_columns(tie->axis, alpha, beta, is->turn, turned);
-    c.offset = is->driven ? -way : 0;
+    c->offset -= is->driven ? way : 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
-            c.turn[i][j] += turned[i][j];
+            c->turn[i][j] += turned[i][j];
             if (p == 0) /* as `value` takes D_a0' D_b0 from D_a' D_b */
-                c.offset += turned[i][j] * dot3(tie->side[0].D0[i], tie->side[1].D0[j]);
+                c->offset += turned[i][j] * dot3(tie->side[0].D0[i], tie->side[1].D0[j]);
         }
-    return c;
 }
 
 /* c[p][k] = the p-th derivative by time of constraint k at an instant, p < ORDERS. */
@@ -197,6 +196,10 @@ static enum hobe_status constraints_at(const struct tie *tie, const struct insta
                                        struct hobe_error *err)
 {
     double a[ORDERS], s[ORDERS];
+    memcpy(c[0], tie->constraint, sizeof c[0]);
+    memset(c + 1, 0, (ORDERS - 1) * sizeof *c);
+    if (!tie->angle && !tie->position)
+        return HOBE_OK;
     enum hobe_status status = drive_at(tie->angle, instant, a, err);
     if (!status)
         status = drive_at(tie->position, instant, s, err);
@@ -215,7 +218,7 @@ static enum hobe_status constraints_at(const struct tie *tie, const struct insta
                              "a distance of %g m cannot change by %g m, at t = %g s", 1 / is->bend,
                              s[0], instant->time);
         for (int p = 0; p < ORDERS; p++)
-            c[p][k] = drive_constraint(tie, is, p, alpha[p], beta[p], way[p]);
+            drive_constraint(tie, is, p, alpha[p], beta[p], way[p], c[p] + k);
     }
     return HOBE_OK;
 }
@@ -331,10 +334,10 @@ static struct constraint combine(const struct tie *tie, const struct constraint 
     return sum;
 }
 
-void tie_jacobian(const struct tie *tie, const double *u, double J[TIE_CONSTRAINTS][TIE_VECTORS][3])
+void tie_jacobian(const struct tie *tie, double J[TIE_CONSTRAINTS][TIE_VECTORS][3])
 {
     struct state s;
-    read_state(tie, u, &s);
+    read_state(tie, NULL, &s);
     for (int k = 0; k < tie->constraints; k++)
         gradient(tie->constraint + k, &s, J[k]);
 }
@@ -506,11 +509,11 @@ void constraint_add(const struct hobe_model *model, const double *u, const struc
 /* ---- their derivatives by time --------------------------------------------------------------- */
 
 /* Directions and distance of a tie and their derivatives along u + v t. */
-struct motion {
+struct rates {
     double D[ORDERS][2][3][3], d[ORDERS][3];
 };
 
-static void read_motion(const struct tie *tie, const double *u, const double *v, struct motion *m)
+static void read_rates(const struct tie *tie, const double *u, const double *v, struct rates *m)
 {
     struct state s;
     double moved[TIE_VECTORS][3];
@@ -534,7 +537,7 @@ static void read_motion(const struct tie *tie, const double *u, const double *v,
 /* The p-th derivative, p = 1 or 2, of constraint k, a sum of products, by Leibniz's rule:
  * (f g)'' = f'' g + 2 f' g' + f g''. */
 static double derivative(int p, struct constraint c[ORDERS][TIE_CONSTRAINTS], int k,
-                         const struct motion *m)
+                         const struct rates *m)
 {
     double sum = c[p][k].offset + dot3(c[0][k].hold, m->d[p]);
     for (int i = 0; i <= p; i++) {
@@ -561,9 +564,9 @@ static void differentiate(const struct hobe_model *model, int p, const double *u
     for (size_t i = 0; i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         struct constraint c[ORDERS][TIE_CONSTRAINTS];
-        struct motion m;
+        struct rates m;
         constraints_now(model, tie, instant, c);
-        read_motion(tie, u, v, &m);
+        read_rates(tie, u, v, &m);
         for (int k = 0; k < tie->constraints; k++)
             out[3 * tie->multiplier + k] = derivative(p, c, k, &m);
     }
@@ -585,12 +588,12 @@ enum hobe_status tie_power(const struct tie *tie, const double *u, const struct 
                            double *power, struct hobe_error *err)
 {
     struct constraint c[ORDERS][TIE_CONSTRAINTS];
-    struct motion m;
+    struct rates m;
     const enum hobe_status status = constraints_at(tie, instant, c, err);
     *power = 0;
     if (status)
         return status;
-    read_motion(tie, u, NULL, &m);
+    read_rates(tie, u, NULL, &m);
     for (int k = 0; k < tie->constraints; k++)
         *power += u[3 * tie->multiplier + k] * derivative(1, c, k, &m);
     return HOBE_OK;

@@ -96,10 +96,8 @@ void tie_turning(struct tie *tie);
 enum hobe_status tie_resolve(struct hobe_model *model, struct tie *tie, struct hobe_error *err);
 void tie_free(struct tie *tie);
 
-/* J[k] = the derivatives of the constraints by r, y, z of both places in state u, NULL: the
- * reference. */
-void tie_jacobian(const struct tie *tie, const double *u,
-                  double J[TIE_CONSTRAINTS][TIE_VECTORS][3]);
+/* J[k] = the derivatives of the constraints by r, y, z of both places in the reference. */
+void tie_jacobian(const struct tie *tie, double J[TIE_CONSTRAINTS][TIE_VECTORS][3]);
 
 /* What a tie does to its place b: force, N, and moment about it, N m, global axes.  Errors of its
  * drives. */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Motion in time: where it starts, which steps it takes, what is kept of it. */
+#include "dynamic.h"
+
 #include "constraint.h"
 #include "drive.h"
-#include "history.h"
 #include "mass.h"
 #include "solution.h"
 #include "vector3.h"
@@ -32,17 +33,8 @@ static const double LEAP = 3, FAR = 0.01;
 /* The first step of an accurate motion is this share of the time at most. */
 static const double FIRST_STEP = 1e-3, SMALLEST_STEP = 1e-9;
 
-struct run {
-    struct genalpha g;
-    struct hobe_dynamic options;
-    struct account account;
-    hobe_history *history;
-    double wanted;  /* longest step now, s */
-    double error;   /* of the last step, relative */
-    double largest; /* of all steps of this length */
-    int steady;     /* how many these are */
-    double started; /* on the clock */
-};
+/* Steps between the marks from which a motion can be taken up. */
+enum { MARKED = 100 };
 
 /* ---- the start ------------------------------------------------------------------------------ */
 
@@ -323,17 +315,10 @@ static enum hobe_status grow(struct run *run, double target, struct hobe_error *
     return now->step * GROW > target - now->time ? HOBE_OK : choose_step(run, target, 0, err);
 }
 
-/* Where steps must end, s: at the next state to keep, INFINITY where all are, and at the next break
- * of a drive or a load; the nearest is the target, or `to`.  Of such as rounding parts it is the
- * break, after which drives go on. */
-struct stops {
-    double begin, store, kink, target;
-    int keep; /* the state at the target */
-};
-
-static void find_stops(const struct run *run, double t, struct stops *stops)
+static void find_stops(struct run *run, double t)
 {
     const double every = run->options.store, to = run->options.to, near = TINY * run->wanted;
+    struct stops *stops = &run->stops;
     stops->kink = drive_next(run->g.s.model, t);
     if (every > 0 && !(stops->store > t))
         stops->store = stops->begin + every * floor((t - stops->begin) / every + 1 + TINY);
@@ -345,20 +330,22 @@ static void find_stops(const struct run *run, double t, struct stops *stops)
         stops->target = to;
 }
 
-/* Steps up to a time; all states are kept, or that at its end if `last`. */
-static enum hobe_status move_to(struct run *run, double target, int all, int last,
-                                struct hobe_error *err)
+/* Steps up to the next stop. */
+static enum hobe_status move_to_stop(struct run *run, struct hobe_error *err)
 {
+    const double target = run->stops.target;
     enum hobe_status status = HOBE_OK;
     while (!status && run->g.now.time < target) {
         status = advance(run, target, err);
         if (status)
             return status;
         take(run, target);
-        if (all || (last && run->g.now.time == target))
+        if (!(run->options.store > 0) || (run->stops.keep && run->g.now.time == target))
             status = history_keep(run->history, &run->g, &run->account, run->started, err);
         if (!status)
             status = grow(run, target, err);
+        if (!status && run->history->info.steps % MARKED == 0)
+            status = checkpoint_save(run, err);
     }
     return status;
 }
@@ -366,15 +353,13 @@ static enum hobe_status move_to(struct run *run, double target, int all, int las
 static enum hobe_status move(struct run *run, struct hobe_error *err)
 {
     const double *t = &run->g.now.time;
-    const int all = !(run->options.store > 0);
-    struct stops stops = {.begin = *t, .store = all ? INFINITY : *t, .kink = *t};
-    enum hobe_status status = HOBE_OK;
+    enum hobe_status status = move_to_stop(run, err); /* what a motion taken up had in mind */
     while (!status && *t < run->options.to) {
-        const int kink = *t == stops.kink;
-        find_stops(run, *t, &stops);
-        status = choose_step(run, stops.target, kink, err);
+        const int kink = *t == run->stops.kink;
+        find_stops(run, *t);
+        status = choose_step(run, run->stops.target, kink, err);
         if (!status)
-            status = move_to(run, stops.target, all, stops.keep, err);
+            status = move_to_stop(run, err);
     }
     return status;
 }
@@ -398,9 +383,10 @@ static void set_defaults(struct run *run)
 {
     struct hobe_dynamic *o = &run->options;
     const struct genalpha *g = &run->g;
-    const double time = o->to - g->now.time, w = genalpha_norm(g, g->now.w);
+    const double t = g->now.time, time = o->to - t, w = genalpha_norm(g, g->now.w);
     if (!(o->smallest_step > 0))
         o->smallest_step = SMALLEST_STEP * time;
+    run->stops = (struct stops){t, o->store > 0 ? t : INFINITY, t, t, 0};
     run->wanted = o->step > 0 ? o->step : FIRST_STEP * time;
     if (o->accuracy > 0 && w > 0)
         run->wanted = fmin(run->wanted, sqrt(o->accuracy * g->size / w));
@@ -408,6 +394,7 @@ static void set_defaults(struct run *run)
 
 static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_error *err)
 {
+    int resumed;
     enum hobe_status status = genalpha_open(&run->g, model, &run->options, err);
     if (!status)
         status = account_open(&run->account, model, err);
@@ -416,11 +403,13 @@ static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_
     run->history = hobe_alloc(1, sizeof *run->history, err);
     if (!run->history)
         return HOBE_NO_MEMORY;
-    status = begin(run, err);
-    if (status)
-        return status;
-    set_defaults(run);
-    status = move(run, err);
+    status = checkpoint_load(run, &resumed, err);
+    if (!status && !resumed)
+        status = begin(run, err);
+    if (!status && !resumed)
+        set_defaults(run);
+    if (!status)
+        status = move(run, err);
     run->history->info.time = run->g.now.time;
     run->history->info.iterations = run->g.s.info.iterations;
     run->history->info.factorisations = run->g.s.info.factorisations;

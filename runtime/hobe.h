@@ -743,6 +743,9 @@ struct hobe_dynamic {
                                    of an earlier motion, at its time with its velocities */
     void (*log)(void *context, const struct hobe_time_step *step); /* may be NULL */
     void *context;
+    struct hobe_journal *journal; /* to go on from, and to keep what is needed for that, every 100
+                                     steps (journal.h); NULL: none.  Motions with and without are
+                                     the same to the last bit */
 };
 
 typedef struct hobe_history hobe_history;

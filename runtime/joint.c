@@ -339,7 +339,7 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
     enum hobe_status status = rank_open(&rank, 6 * (long)model->beams.count, err);
     for (size_t i = 0; !status && i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
-        tie_jacobian(tie, NULL, J);
+        tie_jacobian(tie, J);
         if (!tie->corner)
             status = add_rows(model, tie, tie->constraints, J, root, held, &rank, err);
     }
@@ -376,7 +376,7 @@ enum hobe_status joint_check_redundant(const hobe_model *model, struct hobe_erro
     for (size_t i = 0; !status && i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         int independent = 1;
-        tie_jacobian(tie, NULL, J);
+        tie_jacobian(tie, J);
         for (int k = 0; !status && k < tie->constraints && !model->held[tie->multiplier]; k++) {
             for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++) {
                 const long unknown = model->unknown[tie->vector[t->entry]];

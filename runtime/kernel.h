@@ -139,7 +139,7 @@ struct hobe_invariants {
     double *Qs;    /* [blocks][shears][shears]   shear block */
     double *Qc;    /* [blocks][normals][shears]  what couples them; NULL where nothing does */
     ptrdiff_t step_n, step_s, step_c; /* from a station's block to the next; 0 where all are one */
-    double *mass;   /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
+    double *mass; /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
     int symmetry; /* what kernel->symmetry says of the above, or less; the form "structural" has no
                      use for it, nor for what follows */
     ptrdiff_t step;  /* kernel->section_cost[symmetry].numbers where there is a block for each

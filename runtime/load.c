@@ -310,10 +310,11 @@ static void changing_gravity(const struct hobe_model *model, const struct instan
 {
     const struct gravity *gravity = model->gravities.item;
     memset(g, 0, sizeof(double[3]));
-    for (size_t i = 0; i < model->gravities.count; i++)
+    for (size_t i = 0; i < model->gravities.count; i++, gravity++) {
+        const double factor = drive_factor(model, gravity->history, instant->time, gravity->where);
         for (int a = 0; a < 3; a++)
-            g[a] += gravity[i].g[a] *
-                    drive_factor(model, gravity[i].history, instant->time, gravity[i].where);
+            g[a] += factor * gravity->g[a];
+    }
 }
 
 /* f += factor times the weight of an element: M a, with a = g on every position of the centreline.

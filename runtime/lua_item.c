@@ -56,9 +56,14 @@ static const char *keep_copy(lua_State *L, const char *s, int anchor)
     KEY(owner, at, KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),                                         \
         .doc = "place on the beam, as a fraction of its length")
 
-/* What a key of a function of time says before what it is of. */
+/* A key that holds a function of time (hobe_lua_push_drive). */
 #define TIME_KEY(key_name, measure, text)                                                          \
     KEY_OF_OTHER(key_name, "function of time", .unit = measure, .doc = text)
+
+#define HISTORY_KEY                                                                                \
+    TIME_KEY("history", NULL,                                                                      \
+             "a factor that changes in time; equilibria take it at the `time` of `hobe.static`, "  \
+             "0 where left out")
 
 /* The drive that `key` of the table at index 1 gives, or NULL; kept by the item on top. */
 static hobe_drive *keep_drive(lua_State *L, const struct hobe_lua_schema *schema, const char *key,
@@ -482,7 +487,7 @@ static const struct hobe_lua_key force_keys[] = {
                         "three rows, the second where it is not 0; differences where left out"),
     KEY(struct hobe_force, follower, KEY_FLAG,
         .doc = "whether the force turns with the section (false: it keeps its direction)"),
-    TIME_KEY("history", NULL, "a factor"),
+    HISTORY_KEY,
     {0}};
 
 static const struct hobe_lua_key moment_keys[] = {
@@ -490,13 +495,13 @@ static const struct hobe_lua_key moment_keys[] = {
     PLACE(struct hobe_moment),
     KEY(struct hobe_moment, value, KEY_VECTOR, REQUIRED, .unit = "N m",
         .doc = "the moment {x, y, z} about the global axes"),
-    TIME_KEY("history", NULL, "a factor"),
+    HISTORY_KEY,
     {0}};
 
 static const struct hobe_lua_key gravity_keys[] = {
     KEY(struct hobe_lua_gravity, value, KEY_VECTOR, REQUIRED, .position = 1, .unit = "m/s^2",
         .doc = "the acceleration {x, y, z}, global axes"),
-    TIME_KEY("history", NULL, "a factor"),
+    HISTORY_KEY,
     {0}};
 
 static const struct hobe_lua_key spin_keys[] = {
