@@ -3,11 +3,11 @@
 
 from fractions import Fraction
 
-from . import products, section, structural, tensor
+from . import products, section, series, structural, tensor
 from .ir import write
 from .shape import derivative
 
-ABI = 6  # HOBE_KERNEL_ABI of kernel.h
+ABI = 7  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -23,7 +23,7 @@ def element_file(element, plan):
         parts += [products.STRUCTURE, _plan_tables(element, plan), products.SYMMETRY,
                   products.COEFFICIENTS, tensor.COEFFICIENTS, section.COEFFICIENTS]
     parts += [_function(f) for f in plan.functions]
-    parts += [ENERGY, *([BATCH, TRILINEAR] if plan.layout else [STRUCTURAL_BATCH]),
+    parts += [ENERGY, *([BATCH, TRILINEAR, series.SERIES] if plan.layout else [STRUCTURAL_BATCH]),
               _descriptor(element, plan)]
     return "\n".join(parts)
 
@@ -736,7 +736,8 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
 """
 
 
-PLANS_OF = "symmetry", "section", "section_cost", "tensor", "tensor_cost", "trilinear"
+PLANS_OF = ("symmetry", "section", "section_cost", "tensor", "tensor_cost", "trilinear",
+            "series")
 
 
 def _cost(plan, of, name):

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "constraint.h"
 
+#include "body.h"
 #include "element.h"
 #include "vector3.h"
 
@@ -58,7 +59,7 @@ void tied_at(struct place place, struct tied *tied)
     for (int v = 0; v < beam->kernel->vectors; v++)
         if (N[v] != 0)
             add(N[v], q0 + 3 * v, field[beam->kernel->vector[v].mode]);
-    tied->place = place;
+    *tied = (struct tied){.place = place};
     beam_frame(beam, place.element, N, Nx, tied->frame);
     for (int a = 0; a < 3; a++)
         tied->position[a] = beam->origin ? beam->origin[place.element][a] + field[0][a]
@@ -66,6 +67,18 @@ void tied_at(struct place place, struct tied *tied)
     memcpy(tied->D0[1], field[1], sizeof field[1]);
     memcpy(tied->D0[2], field[2], sizeof field[2]);
     cross3(field[1], field[2], tied->D0[0]);
+}
+
+void tied_on_body(const struct body *body, const double point[3], const int slope[2],
+                  struct tied *tied)
+{
+    *tied = (struct tied){.body = body, .slope = {slope[0], slope[1]}};
+    memcpy(tied->position, point, sizeof tied->position);
+    for (int i = 0; i < 2; i++)
+        tied->D0[1 + i][slope[i]] = 1;
+    cross3(tied->D0[1], tied->D0[2], tied->D0[0]);
+    for (int i = 0; i < 3; i++)
+        tied->frame[i][i] = 1;
 }
 
 struct tie *tie_add(struct hobe_model *model, const struct tied *a, const struct tied *b,
@@ -94,6 +107,14 @@ void tie_turning(struct tie *tie)
     }
 }
 
+void tie_slopes(struct tie *tie)
+{
+    const int section = tie->side[0].place.beam ? 0 : 1;
+    for (int i = 1; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            tie_constraint(tie)->turn[section ? j : i][section ? i : j] = 1;
+}
+
 /* The place of a number among the tie's vectors, where it is put unless it is there. */
 static int enter(struct tie *tie, long number)
 {
@@ -105,26 +126,45 @@ static int enter(struct tie *tie, long number)
     return i;
 }
 
+/* A vector's part in r, y or z (0, 1, 2) of a side, unless it has none. */
+static void add_term(struct tie *tie, int side, long vector, int what, double weight)
+{
+    if (weight != 0)
+        tie->term[tie->terms++] = (struct tie_term){enter(tie, vector), 3 * side + what, weight};
+}
+
 static void add_terms(const struct hobe_model *model, struct tie *tie, int side)
 {
-    const struct place place = tie->side[side].place;
+    const struct tied *tied = tie->side + side;
+    const struct place place = tied->place;
     double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS];
+    if (tied->body) {
+        body_weights(tied->body, tied->position, N);
+        for (int v = 0; v < BODY_VECTORS; v++)
+            add_term(tie, side, tied->body->first + v, 0, N[v]);
+        for (int i = 0; i < 2; i++)
+            add_term(tie, side, tied->body->first + 1 + tied->slope[i], 1 + i, 1);
+    }
     if (!place.beam)
         return;
     weigh(place, N, Nx);
     for (int v = 0; v < place.beam->kernel->vectors; v++)
-        if (N[v] != 0)
-            tie->term[tie->terms++] =
-                (struct tie_term){enter(tie, model_vector(model, place.beam, place.element, v)),
-                                  3 * side + place.beam->kernel->vector[v].mode, N[v]};
+        add_term(tie, side, model_vector(model, place.beam, place.element, v),
+                 place.beam->kernel->vector[v].mode, N[v]);
+}
+
+/* At most so many terms has a side. */
+static size_t most_terms(const struct tied *tied)
+{
+    if (tied->body)
+        return BODY_VECTORS + 2;
+    return tied->place.beam ? (size_t)tied->place.beam->kernel->vectors : 0;
 }
 
 enum hobe_status tie_resolve(struct hobe_model *model, struct tie *tie, struct hobe_error *err)
 {
-    size_t most = 0;
+    const size_t most = most_terms(tie->side) + most_terms(tie->side + 1);
     tie->blocks = (tie->constraints + 2) / 3;
-    for (int s = 0; s < 2; s++)
-        most += tie->side[s].place.beam ? (size_t)tie->side[s].place.beam->kernel->vectors : 0;
     tie->term = hobe_alloc(most, sizeof *tie->term, err);
     tie->vector = hobe_alloc(most + (size_t)tie->blocks, sizeof *tie->vector, err);
     if (!tie->term || !tie->vector)

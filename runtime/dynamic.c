@@ -2,6 +2,7 @@
 /* Motion in time: where it starts, which steps it takes, what is kept of it. */
 #include "dynamic.h"
 
+#include "body.h"
 #include "constraint.h"
 #include "drive.h"
 #include "mass.h"
@@ -72,6 +73,13 @@ static enum hobe_status set_velocities(struct genalpha *g, const struct hobe_mot
     return HOBE_OK;
 }
 
+static void set_body(struct genalpha *g, const struct hobe_motion *m, const struct body *body,
+                     const double *q)
+{
+    for (long v = body->first; v < body->first + BODY_VECTORS; v++)
+        move_rigidly(m, v == body->first, q + 3 * v, g->now.v + 3 * v);
+}
+
 static enum hobe_status set_motions(struct genalpha *g, struct hobe_error *err)
 {
     const hobe_model *model = g->s.model;
@@ -82,12 +90,15 @@ static enum hobe_status set_motions(struct genalpha *g, struct hobe_error *err)
         q[i] += g->now.u[i];
     for (size_t i = 0; !status && i < model->motions.count; i++) {
         const struct hobe_motion *m = (const struct hobe_motion *)model->motions.item + i;
-        const struct beam *only = m->beam ? model_find_beam(model, m->beam, m->where, err) : NULL;
-        if (m->beam && !only)
+        struct part only = {NULL, NULL};
+        if (m->beam && model_find_part(model, m->beam, m->where, &only, err))
             return HOBE_UNKNOWN;
         for (size_t b = 0; !status && b < model->beams.count; b++)
-            if (!only || only == model_beam(model, b))
+            if (!m->beam || only.beam == model_beam(model, b))
                 status = set_velocities(g, m, model_beam(model, b), q, err);
+        for (size_t b = 0; b < model->bodies.count; b++)
+            if (!m->beam || only.body == model_body(model, b))
+                set_body(g, m, model_body(model, b), q);
     }
     return status;
 }
