@@ -468,20 +468,27 @@ double assemble_energy(const struct hobe_model *model, const double *u)
 }
 
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
-                                  const double *u, double *f, struct hobe_error *err)
+                                  const double *u, const double *v, double *f,
+                                  struct hobe_error *err)
 {
     const struct hobe_kernel *k = beam->kernel;
     const size_t n = 3 * (size_t)k->vectors;
     const struct batch *batch = beam->batch;
-    hobe_lanes *of = hobe_alloc(2 * n + k->scratch, sizeof *of, err);
+    hobe_lanes *of = hobe_alloc(3 * n + k->scratch, sizeof *of, err);
     if (!of)
         return HOBE_NO_MEMORY;
+    const struct workspace work = {.q0 = of, .u = of + n, .f = of + 2 * n, .scratch = of + 3 * n};
     while (e >= batch->first + batch->count)
         batch++;
-    gather(model, beam, batch, u, of);
-    k->force(hobe_element_invariants(batch->law), batch->q0, of, of + n, of + 2 * n);
+    gather(model, beam, batch, u, work.u);
+    k->force(hobe_element_invariants(batch->law), batch->q0, work.u, work.f, work.scratch);
     for (size_t i = 0; i < n; i++)
-        f[i] = of[n + i][e - batch->first];
+        f[i] = work.f[i][e - batch->first];
+    if (v && beam->spec.damping.stiffness > 0) {
+        find_viscous(model, beam, batch, u, v, &work);
+        for (size_t i = 0; i < n; i++)
+            f[i] += beam->spec.damping.stiffness * work.f[i][e - batch->first];
+    }
     hobe_free(of);
     return HOBE_OK;
 }
