@@ -644,8 +644,8 @@ static int symmetry(const struct hobe_invariants *inv)
     return kept;
 }
 
-/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the column
- * (t, v), of one station or of all. */
+/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the
+ * column (t, v), of one station or of all. */
 typedef void coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
                           double c[3]);
 
@@ -1510,7 +1510,7 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3] */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
                          const hobe_real *x, hobe_real *X, hobe_real *T)
 {
@@ -1548,7 +1548,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
             const int along = (i < M) == (j < M);
             hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 :
+                                     7 * GRAMS + 3 * r + e - 7;
                 const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
                 plus[at] = sum;
                 minus[at] = less;
@@ -1557,8 +1558,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
     }
 }
 
-/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
- * row and its mirror image the sum of what they share, then that of what they differ by */
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:
+ * of a row and its mirror image the sum of what they share, then of what they differ by */
 static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
                          hobe_real *K)
 {
