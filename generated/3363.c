@@ -416,8 +416,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -481,17 +481,17 @@ static const short merged_with[] = {
     0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,
 };
 /* products of nodal vectors */
-static const short nodal_mirror[] = {
+static const unsigned char nodal_mirror[] = {
     12,13,14,15,16,17,6,7,8,9,10,11,0,1,2,3,4,5,
 };
-static const short nodal_pair_t[] = {
+static const unsigned char nodal_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,6,9,10,10,11,11,12,13,14,14,14,15,16,16,16,16,2,4,
     5,6,8,9,9,10,10,11,11,11,12,13,14,14,14,15,16,16,16,2,5,6,7,8,9,10,11,12,12,12,13,14,14,15,
     15,16,16,1,5,6,7,8,9,10,11,12,12,12,13,14,15,16,4,5,6,7,8,9,10,11,12,13,13,13,14,14,15,15,
     16,16,3,5,6,7,8,9,10,11,12,13,13,13,14,15,16,3,4,7,8,8,9,10,11,12,13,13,14,15,15,15,15,16,
     16,3,4,7,7,8,9,10,11,12,13,14,15,15,15,16,
 };
-static const short nodal_pair_v[] = {
+static const unsigned char nodal_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,0,5,0,6,5,9,1,3,5,9,11,7,5,9,11,14,1,3,0,5,7,0,6,5,
     9,0,6,10,2,4,0,6,10,8,0,6,10,0,1,2,3,4,1,2,1,5,9,11,7,1,12,3,13,1,12,0,2,1,4,3,2,1,2,0,6,10,
     8,2,4,2,0,3,4,1,2,3,4,3,7,5,9,11,3,13,1,12,3,13,0,4,3,2,1,4,3,4,8,0,6,10,4,2,4,1,2,5,0,6,7,
@@ -530,14 +530,14 @@ static const struct products nodal[1] = {{ 17, 153, nodal_mirror, nodal_pair_t,
     nodal_pair_v, nodal_first_pair, nodal_first_cross, nodal_row, nodal_first_row,
     nodal_skew_row, nodal_first_skew_row}};
 /* products of section vectors */
-static const short sectional_mirror[] = {
+static const unsigned char sectional_mirror[] = {
     0,1,2,3,4,5,6,7,8,9,10,
 };
-static const short sectional_pair_t[] = {
+static const unsigned char sectional_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,3,5,5,10,6,7,8,8,8,9,10,10,10,1,3,4,5,8,9,10,6,6,6,7,8,9,10,2,3,4,5,
     8,9,10,6,7,7,7,8,9,10,2,4,4,5,7,9,10,6,7,8,9,9,9,10,
 };
-static const short sectional_pair_v[] = {
+static const unsigned char sectional_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,0,0,3,8,1,2,0,3,5,4,0,3,5,0,1,2,1,6,7,6,0,3,5,4,1,2,1,0,2,1,2,7,6,7,
     4,0,3,5,2,1,2,1,0,3,4,6,8,9,2,1,4,0,3,5,4,
 };

@@ -416,8 +416,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -480,13 +480,13 @@ static const short merged_with[] = {
     0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,
 };
 /* products of nodal vectors */
-static const short nodal_mirror[] = {
+static const unsigned char nodal_mirror[] = {
     6,7,8,9,4,5,6,1,2,3,
 };
-static const short nodal_pair_t[] = {
+static const unsigned char nodal_pair_t[] = {
     0,1,2,3,4,5,6,7,8,2,7,8,1,2,4,6,7,8,3,4,4,7,3,3,4,7,7,5,6,6,8,5,5,6,8,8,5,6,7,8,8,5,6,7,8,
 };
-static const short nodal_pair_v[] = {
+static const unsigned char nodal_pair_v[] = {
     0,1,2,3,4,5,6,7,8,0,3,5,0,1,3,5,4,6,1,0,2,1,0,2,1,0,2,1,0,2,1,0,2,1,0,2,3,4,5,3,7,4,3,6,4,
 };
 static const short nodal_first_pair[] = {
@@ -510,13 +510,13 @@ static const struct products nodal[1] = {{ 9, 45, nodal_mirror, nodal_pair_t, no
     nodal_first_pair, nodal_first_cross, nodal_row, nodal_first_pair, nodal_skew_row,
     nodal_first_skew_row}};
 /* products of section vectors */
-static const short sectional_mirror[] = {
+static const unsigned char sectional_mirror[] = {
     0,1,2,3,4,
 };
-static const short sectional_pair_t[] = {
+static const unsigned char sectional_pair_t[] = {
     0,1,2,3,4,3,4,1,3,2,4,2,4,3,4,
 };
-static const short sectional_pair_v[] = {
+static const unsigned char sectional_pair_v[] = {
     0,1,2,3,4,1,2,0,0,0,0,1,3,2,1,
 };
 static const short sectional_first_pair[] = {

@@ -450,8 +450,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -515,14 +515,14 @@ static const short merged_with[] = {
     0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,
 };
 /* products of nodal vectors */
-static const short nodal_mirror[] = {
+static const unsigned char nodal_mirror[] = {
     8,9,10,11,12,5,6,7,8,1,2,3,4,
 };
-static const short nodal_pair_t[] = {
+static const unsigned char nodal_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,2,9,10,11,1,2,4,6,8,9,10,11,3,4,4,7,8,9,10,11,11,3,3,4,7,8,9,9,10,
     11,5,6,6,7,8,9,10,11,11,5,5,6,7,8,9,10,10,11,5,6,7,8,8,9,10,10,11,5,6,7,7,8,9,10,11,11,
 };
-static const short nodal_pair_v[] = {
+static const unsigned char nodal_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,0,3,5,7,0,1,3,5,7,4,6,8,1,0,2,5,6,1,7,5,10,0,2,1,6,5,0,2,8,6,1,0,
     2,3,4,7,1,3,9,0,2,1,4,3,8,0,2,4,3,4,1,0,2,5,3,9,1,4,3,0,2,1,6,4,0,2,
 };
@@ -549,13 +549,13 @@ static const struct products nodal[1] = {{ 12, 78, nodal_mirror, nodal_pair_t, n
     nodal_first_pair, nodal_first_cross, nodal_row, nodal_first_pair, nodal_skew_row,
     nodal_first_skew_row}};
 /* products of section vectors */
-static const short sectional_mirror[] = {
+static const unsigned char sectional_mirror[] = {
     0,1,2,3,4,5,6,
 };
-static const short sectional_pair_t[] = {
+static const unsigned char sectional_pair_t[] = {
     0,1,2,3,4,5,6,4,5,6,1,3,6,4,5,6,2,3,6,4,5,6,2,3,5,4,5,6,
 };
-static const short sectional_pair_v[] = {
+static const unsigned char sectional_pair_v[] = {
     0,1,2,3,4,5,6,1,2,3,0,2,5,0,3,2,0,1,4,3,0,1,1,0,4,2,1,0,
 };
 static const short sectional_first_pair[] = {

@@ -91,6 +91,8 @@ class Products:
         return 2 * count("first_row", "first_pair") + count("first_skew_row", "first_cross")
 
 
+OF_VECTORS = "mirror", "pair_t", "pair_v"  # tables of numbers of vectors
+
 TABLES = {
     "merged": [len(m) for m in MERGED],
     "merged_with": [k for m in MERGED for k in (*m, *(0,) * CLASSES)[:CLASSES]],
@@ -209,8 +211,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
