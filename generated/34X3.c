@@ -7,15 +7,15 @@
  * vectors (mode@node, ' for d/dx): 1@1 y@1 z@1 yy@1 yz@1 zz@1 yyy@1 yyz@1 yzz@1 zzz@1 1@2 y@2
  *     z@2 yy@2 yz@2 zz@2 yyy@2 yyz@2 yzz@2 zzz@2 1@3 y@3 z@3 yy@3 yz@3 zz@3 yyy@3 yyz@3 yzz@3
  *     zzz@3 1@4 y@4 z@4 yy@4 yz@4 zz@4 yyy@4 yyz@4 yzz@4 zzz@4
- * operations per element: force 293590, force and tangent 2730296, energy 277112
- * from station to station, symmetric in nothing: force 545590, force and tangent 5106656
- * from station to station, symmetric in x: force 293590, force and tangent 2730296
- * from station to station, symmetric in y: force 294262, force and tangent 2733824
- * from station to station, symmetric in x y: force 167926, force and tangent 1543880
- * from station to station, symmetric in z: force 294262, force and tangent 2733824
- * from station to station, symmetric in x z: force 167926, force and tangent 1543880
- * from station to station, symmetric in y z: force 169606, force and tangent 1554296
- * from station to station, symmetric in x y z: force 105598, force and tangent 954116
+ * operations per element: force 293590, force and tangent 2716073, energy 277112
+ * from station to station, symmetric in nothing: force 545590, force and tangent 5092433
+ * from station to station, symmetric in x: force 293590, force and tangent 2716073
+ * from station to station, symmetric in y: force 294262, force and tangent 2719601
+ * from station to station, symmetric in x y: force 167926, force and tangent 1529657
+ * from station to station, symmetric in z: force 294262, force and tangent 2719601
+ * from station to station, symmetric in x z: force 167926, force and tangent 1529657
+ * from station to station, symmetric in y z: force 169606, force and tangent 1540073
+ * from station to station, symmetric in x y z: force 105598, force and tangent 939893
  * as one tensor, symmetric in x: force 659493, force and tangent 6270102
  * as one tensor, symmetric in x y: force 340837, force and tangent 3172630
  * as one tensor, symmetric in x z: force 340837, force and tangent 3172630
@@ -454,8 +454,6 @@ enum {
     MIRRORED = 1,     /* whether there are mirror images */
     GRAMS = 190,      /* pairs of section vectors */
     AXIAL = 128,      /* weights of a station for axial functions */
-    FIRST = 1710,     /* from the numbers of (k', l') to those of (k, l') among rows of section vectors */
-    SECOND = 90,      /* to those of (k', l) */
     MOST_PAIRS = 780, /* of either kind */
 };
 
@@ -493,56 +491,41 @@ static const double share[] = {
     1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
     1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
 };
-/* pairs of rows that are images, and rows that are their own */
-static const short image[] = {
-    0, 495, 1, 526, 2, 527, 3, 558, 4, 559, 5, 560, 6, 591, 7, 592, 8, 593, 9, 594, 10, 625, 11,
-    626, 12, 627, 13, 628, 14, 629, 15, 660, 16, 661, 17, 662, 18, 663, 19, 664, 20, 665, 21,
-    696, 22, 697, 23, 698, 24, 699, 25, 700, 26, 701, 27, 702, 28, 733, 29, 734, 30, 735, 31,
-    736, 32, 737, 33, 738, 34, 739, 35, 740, 36, 771, 37, 772, 38, 773, 39, 774, 40, 775, 41,
-    776, 42, 777, 43, 778, 44, 779, 45, 810, 46, 811, 47, 812, 48, 813, 49, 814, 50, 815, 51,
-    816, 52, 817, 53, 818, 54, 819, 55, 485, 56, 516, 57, 548, 58, 581, 59, 615, 60, 650, 61,
-    686, 62, 723, 63, 761, 64, 800, 65, 230, 66, 486, 67, 517, 68, 549, 69, 582, 70, 616, 71,
-    651, 72, 687, 73, 724, 74, 762, 75, 801, 76, 251, 77, 252, 78, 487, 79, 518, 80, 550, 81,
-    583, 82, 617, 83, 652, 84, 688, 85, 725, 86, 763, 87, 802, 88, 273, 89, 274, 90, 275, 91,
-    488, 92, 519, 93, 551, 94, 584, 95, 618, 96, 653, 97, 689, 98, 726, 99, 764, 100, 803, 101,
-    296, 102, 297, 103, 298, 104, 299, 105, 489, 106, 520, 107, 552, 108, 585, 109, 619, 110,
-    654, 111, 690, 112, 727, 113, 765, 114, 804, 115, 320, 116, 321, 117, 322, 118, 323, 119,
-    324, 120, 490, 121, 521, 122, 553, 123, 586, 124, 620, 125, 655, 126, 691, 127, 728, 128,
-    766, 129, 805, 130, 345, 131, 346, 132, 347, 133, 348, 134, 349, 135, 350, 136, 491, 137,
-    522, 138, 554, 139, 587, 140, 621, 141, 656, 142, 692, 143, 729, 144, 767, 145, 806, 146,
-    371, 147, 372, 148, 373, 149, 374, 150, 375, 151, 376, 152, 377, 153, 492, 154, 523, 155,
-    555, 156, 588, 157, 622, 158, 657, 159, 693, 160, 730, 161, 768, 162, 807, 163, 398, 164,
-    399, 165, 400, 166, 401, 167, 402, 168, 403, 169, 404, 170, 405, 171, 493, 172, 524, 173,
-    556, 174, 589, 175, 623, 176, 658, 177, 694, 178, 731, 179, 769, 180, 808, 181, 426, 182,
-    427, 183, 428, 184, 429, 185, 430, 186, 431, 187, 432, 188, 433, 189, 434, 190, 494, 191,
-    525, 192, 557, 193, 590, 194, 624, 195, 659, 196, 695, 197, 732, 198, 770, 199, 809, 200,
-    455, 201, 456, 202, 457, 203, 458, 204, 459, 205, 460, 206, 461, 207, 462, 208, 463, 209,
-    464, 210, 475, 211, 506, 212, 538, 213, 571, 214, 605, 215, 640, 216, 676, 217, 713, 218,
-    751, 219, 790, 221, 241, 222, 263, 223, 286, 224, 310, 225, 335, 226, 361, 227, 388, 228,
-    416, 229, 445, 231, 476, 232, 507, 233, 539, 234, 572, 235, 606, 236, 641, 237, 677, 238,
-    714, 239, 752, 240, 791, 243, 264, 244, 287, 245, 311, 246, 336, 247, 362, 248, 389, 249,
-    417, 250, 446, 253, 477, 254, 508, 255, 540, 256, 573, 257, 607, 258, 642, 259, 678, 260,
-    715, 261, 753, 262, 792, 266, 288, 267, 312, 268, 337, 269, 363, 270, 390, 271, 418, 272,
-    447, 276, 478, 277, 509, 278, 541, 279, 574, 280, 608, 281, 643, 282, 679, 283, 716, 284,
-    754, 285, 793, 290, 313, 291, 338, 292, 364, 293, 391, 294, 419, 295, 448, 300, 479, 301,
-    510, 302, 542, 303, 575, 304, 609, 305, 644, 306, 680, 307, 717, 308, 755, 309, 794, 315,
-    339, 316, 365, 317, 392, 318, 420, 319, 449, 325, 480, 326, 511, 327, 543, 328, 576, 329,
-    610, 330, 645, 331, 681, 332, 718, 333, 756, 334, 795, 341, 366, 342, 393, 343, 421, 344,
-    450, 351, 481, 352, 512, 353, 544, 354, 577, 355, 611, 356, 646, 357, 682, 358, 719, 359,
-    757, 360, 796, 368, 394, 369, 422, 370, 451, 378, 482, 379, 513, 380, 545, 381, 578, 382,
-    612, 383, 647, 384, 683, 385, 720, 386, 758, 387, 797, 396, 423, 397, 452, 406, 483, 407,
-    514, 408, 546, 409, 579, 410, 613, 411, 648, 412, 684, 413, 721, 414, 759, 415, 798, 425,
-    453, 435, 484, 436, 515, 437, 547, 438, 580, 439, 614, 440, 649, 441, 685, 442, 722, 443,
-    760, 444, 799, 466, 496, 467, 528, 468, 561, 469, 595, 470, 630, 471, 666, 472, 703, 473,
-    741, 474, 780, 498, 529, 499, 562, 500, 596, 501, 631, 502, 667, 503, 704, 504, 742, 505,
-    781, 531, 563, 532, 597, 533, 632, 534, 668, 535, 705, 536, 743, 537, 782, 565, 598, 566,
-    633, 567, 669, 568, 706, 569, 744, 570, 783, 600, 634, 601, 670, 602, 707, 603, 745, 604,
-    784, 636, 671, 637, 708, 638, 746, 639, 785, 673, 709, 674, 747, 675, 786, 711, 748, 712,
-    787, 750, 788,
-};
-static const short alone[] = {
-    220, 242, 265, 289, 314, 340, 367, 395, 424, 454, 465, 497, 530, 564, 599, 635, 672, 710,
-    749, 789,
+/* vectors of the rows that have a mirror image after them, and of those alone */
+static const short lead[] = {
+    0, 0, 10, 0, 10, 10, 20, 0, 1, 0, 10, 1, 11, 0, 11, 10, 20, 1, 20, 11, 21, 0, 30, 1, 2, 0,
+    10, 2, 12, 0, 12, 10, 20, 2, 20, 12, 22, 0, 30, 2, 3, 0, 10, 3, 13, 0, 13, 10, 20, 3, 20,
+    13, 23, 0, 30, 3, 4, 0, 10, 4, 14, 0, 14, 10, 20, 4, 20, 14, 24, 0, 30, 4, 5, 0, 10, 5, 15,
+    0, 15, 10, 20, 5, 20, 15, 25, 0, 30, 5, 6, 0, 10, 6, 16, 0, 16, 10, 20, 6, 20, 16, 26, 0,
+    30, 6, 7, 0, 10, 7, 17, 0, 17, 10, 20, 7, 20, 17, 27, 0, 30, 7, 8, 0, 10, 8, 18, 0, 18, 10,
+    20, 8, 20, 18, 28, 0, 30, 8, 9, 0, 10, 9, 19, 0, 19, 10, 20, 9, 20, 19, 29, 0, 30, 9, 1, 1,
+    11, 1, 11, 11, 21, 1, 2, 1, 11, 2, 12, 1, 12, 11, 21, 2, 21, 12, 22, 1, 31, 2, 3, 1, 11, 3,
+    13, 1, 13, 11, 21, 3, 21, 13, 23, 1, 31, 3, 4, 1, 11, 4, 14, 1, 14, 11, 21, 4, 21, 14, 24,
+    1, 31, 4, 5, 1, 11, 5, 15, 1, 15, 11, 21, 5, 21, 15, 25, 1, 31, 5, 6, 1, 11, 6, 16, 1, 16,
+    11, 21, 6, 21, 16, 26, 1, 31, 6, 7, 1, 11, 7, 17, 1, 17, 11, 21, 7, 21, 17, 27, 1, 31, 7, 8,
+    1, 11, 8, 18, 1, 18, 11, 21, 8, 21, 18, 28, 1, 31, 8, 9, 1, 11, 9, 19, 1, 19, 11, 21, 9, 21,
+    19, 29, 1, 31, 9, 2, 2, 12, 2, 12, 12, 22, 2, 3, 2, 12, 3, 13, 2, 13, 12, 22, 3, 22, 13, 23,
+    2, 32, 3, 4, 2, 12, 4, 14, 2, 14, 12, 22, 4, 22, 14, 24, 2, 32, 4, 5, 2, 12, 5, 15, 2, 15,
+    12, 22, 5, 22, 15, 25, 2, 32, 5, 6, 2, 12, 6, 16, 2, 16, 12, 22, 6, 22, 16, 26, 2, 32, 6, 7,
+    2, 12, 7, 17, 2, 17, 12, 22, 7, 22, 17, 27, 2, 32, 7, 8, 2, 12, 8, 18, 2, 18, 12, 22, 8, 22,
+    18, 28, 2, 32, 8, 9, 2, 12, 9, 19, 2, 19, 12, 22, 9, 22, 19, 29, 2, 32, 9, 3, 3, 13, 3, 13,
+    13, 23, 3, 4, 3, 13, 4, 14, 3, 14, 13, 23, 4, 23, 14, 24, 3, 33, 4, 5, 3, 13, 5, 15, 3, 15,
+    13, 23, 5, 23, 15, 25, 3, 33, 5, 6, 3, 13, 6, 16, 3, 16, 13, 23, 6, 23, 16, 26, 3, 33, 6, 7,
+    3, 13, 7, 17, 3, 17, 13, 23, 7, 23, 17, 27, 3, 33, 7, 8, 3, 13, 8, 18, 3, 18, 13, 23, 8, 23,
+    18, 28, 3, 33, 8, 9, 3, 13, 9, 19, 3, 19, 13, 23, 9, 23, 19, 29, 3, 33, 9, 4, 4, 14, 4, 14,
+    14, 24, 4, 5, 4, 14, 5, 15, 4, 15, 14, 24, 5, 24, 15, 25, 4, 34, 5, 6, 4, 14, 6, 16, 4, 16,
+    14, 24, 6, 24, 16, 26, 4, 34, 6, 7, 4, 14, 7, 17, 4, 17, 14, 24, 7, 24, 17, 27, 4, 34, 7, 8,
+    4, 14, 8, 18, 4, 18, 14, 24, 8, 24, 18, 28, 4, 34, 8, 9, 4, 14, 9, 19, 4, 19, 14, 24, 9, 24,
+    19, 29, 4, 34, 9, 5, 5, 15, 5, 15, 15, 25, 5, 6, 5, 15, 6, 16, 5, 16, 15, 25, 6, 25, 16, 26,
+    5, 35, 6, 7, 5, 15, 7, 17, 5, 17, 15, 25, 7, 25, 17, 27, 5, 35, 7, 8, 5, 15, 8, 18, 5, 18,
+    15, 25, 8, 25, 18, 28, 5, 35, 8, 9, 5, 15, 9, 19, 5, 19, 15, 25, 9, 25, 19, 29, 5, 35, 9, 6,
+    6, 16, 6, 16, 16, 26, 6, 7, 6, 16, 7, 17, 6, 17, 16, 26, 7, 26, 17, 27, 6, 36, 7, 8, 6, 16,
+    8, 18, 6, 18, 16, 26, 8, 26, 18, 28, 6, 36, 8, 9, 6, 16, 9, 19, 6, 19, 16, 26, 9, 26, 19,
+    29, 6, 36, 9, 7, 7, 17, 7, 17, 17, 27, 7, 8, 7, 17, 8, 18, 7, 18, 17, 27, 8, 27, 18, 28, 7,
+    37, 8, 9, 7, 17, 9, 19, 7, 19, 17, 27, 9, 27, 19, 29, 7, 37, 9, 8, 8, 18, 8, 18, 18, 28, 8,
+    9, 8, 18, 9, 19, 8, 19, 18, 28, 9, 28, 19, 29, 8, 38, 9, 9, 9, 19, 9, 19, 19, 29, 9, 20, 10,
+    30, 0, 21, 11, 31, 1, 22, 12, 32, 2, 23, 13, 33, 3, 24, 14, 34, 4, 25, 15, 35, 5, 26, 16,
+    36, 6, 27, 17, 37, 7, 28, 18, 38, 8, 29, 19, 39, 9,
 };
 /* by symmetry: how many classes a row meets, and its own class times which */
 static const short merged[] = {
@@ -1297,7 +1280,11 @@ static const double *row_skew(const struct products *of, const double *H, int sy
 static void images(hobe_real *Q)
 {
     for (int o = 0; o < IMAGES; o++) {
-        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        hobe_real *a = Q + m, *b = Q + n;
         const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
         a[0] = sum;
         b[0] = difference;
@@ -1351,8 +1338,10 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
     for (int o = 0; o < IMAGES; o++) {
-        const int m = image[2 * o];
-        const int n = image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
         hobe_real s[6], r[3];
         for (int e = 0; e < 6; e++) {
             s[e] = sym[6 * m + e] + sym[6 * n + e];
@@ -1369,8 +1358,10 @@ static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *sk
         }
         block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
     }
-    for (int o = 0; o < ALONE; o++) {
-        const int m = alone[o];
+    for (int o = IMAGES; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
         block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
     }
 }
@@ -1553,13 +1544,12 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
-                         const hobe_real *x, hobe_real *T, hobe_real *scratch)
+                         const hobe_real *x, hobe_real *X, hobe_real *T)
 {
-    hobe_real B[3 * S], U[3 * S];
-    hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);
-    hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;
+    hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;
+    hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;
     const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
     const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
     section_vectors(N, Nx, x0, B);
@@ -1572,30 +1562,13 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
     for (int i = 0; i < 3 * S; i++) {
         B[i] += 0.5 * U[i];
     }
-    H = row_stress(sectional, H, inv->symmetry, X, Q);
+    H = row_stress(sectional, H, inv->symmetry, X, T);
     products(sectional, B, X, Z);
     H = row_symmetric(sectional, H, inv->symmetry, X, sym);
     row_skew(sectional, H, inv->symmetry, Z, skew);
     for (int i = 0; i < S; i++) {
         for (int a = 0; a < 3; a++) {
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-        for (int j = 0; j < i + 1; j++) {
-            const int r = hobe_pair(i, j);
-            T[10 * (j * S + i)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (j * S + i) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (j * S + i) + 7 + e] = zero - skew[3 * r + e];
-            }
-            T[10 * (i * S + j)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (i * S + j) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (i * S + j) + 7 + e] = skew[3 * r + e];
-            }
         }
     }
 }
@@ -1604,77 +1577,135 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
 static void even_and_odd(hobe_real *T, hobe_real *W)
 {
     for (int i = 0; i < S; i++) {
-        for (int j = 0; j < S; j++) {
-            hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);
+        for (int j = 0; j < i + 1; j++) {
+            const int r = hobe_pair(i, j);
             const int along = (i < M) == (j < M);
-            hobe_real *plus = along ? t : w, *minus = along ? w : t;
+            hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const hobe_real sum = t[e] + w[e], less = t[e] - w[e];
-                plus[e] = sum;
-                minus[e] = less;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
+                plus[at] = sum;
+                minus[at] = less;
             }
         }
     }
 }
 
-/* Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair
- * of mirror images what they share to the first, what they differ by to the other */
-static void expand(const double *weight, const hobe_real *even, const hobe_real *odd, hobe_real *Q,
-                   hobe_real *sym, hobe_real *skew)
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
+ * row and its mirror image the sum of what they share, then that of what they differ by */
+static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
+                         hobe_real *K)
 {
-    for (int v = OPPOSED; v < V; v++) {
-        for (int u = OPPOSED; u < v + 1; u++) {
-            const int r = hobe_pair(v, u);
-            const int a = nodal->mirror[v];
-            const int b = nodal->mirror[u];
-            const int other = symmetric(a, b) < r;
-            const int i = other ? larger(a, b) : v;
-            const int j = other ? a + b - i : u;
-            const int part = odd_of[v] ^ odd_of[u] ^ other;
-            const int turned = part ^ (a < b);
-            const int k = mode[i];
-            const int l = mode[j];
-            const int at = 10 * (k * S + l);
-            const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);
-            const double *c = w2 + 4 * part, *d = w2 + 4 * turned;
-            const hobe_real *t = part ? odd : even, *w = turned ? odd : even;
-            if (k == 0 && l == 0) {
-                Q[r] += c[0] * t[at];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e];
+    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
+    for (int o = 0; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        const int k = mode[v];
+        const int l = mode[u];
+        const int parts = 1 + (o < IMAGES);
+        const int p0 = symmetric(k, l);
+        const int p1 = symmetric(k, M - 1 + l);
+        const int p2 = symmetric(M - 1 + k, l);
+        const int p3 = symmetric(M - 1 + k, M - 1 + l);
+        const double side = k < l ? -1.0 : 1.0;
+        hobe_real x[20], y[10];
+        for (int z = 0; z < parts; z++) {
+            const int part = odd_of[v] ^ odd_of[u] ^ z;
+            const int turned = part ^ (nodal->mirror[v] < nodal->mirror[u]);
+            hobe_real s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero;
+            hobe_real s5 = zero, s6 = zero, s7 = zero, s8 = zero, s9 = zero;
+            for (int g = 0; g < last + 1; g++) {
+                const int image = inv->stations - 1 - g;
+                const hobe_real *t = T + 10 * GRAMS * (part ? image : g);
+                const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);
+                const double *c = inv->section + AXIAL * g + 4 * part +
+                                  8 * (A * axial_of[v] + axial_of[u]);
+                const double *d = c + 4 * (turned - part);
+                const double d0 = side * d[0], d1 = d[1], d2 = d[2], d3 = side * d[3];
+                s0 += c[0] * t[p0];
+                s1 += c[0] * t[GRAMS + 6 * p0 + 0];
+                s2 += c[0] * t[GRAMS + 6 * p0 + 1];
+                s3 += c[0] * t[GRAMS + 6 * p0 + 2];
+                s4 += c[0] * t[GRAMS + 6 * p0 + 3];
+                s5 += c[0] * t[GRAMS + 6 * p0 + 4];
+                s6 += c[0] * t[GRAMS + 6 * p0 + 5];
+                s7 += d0 * w[7 * GRAMS + 3 * p0 + 0];
+                s8 += d0 * w[7 * GRAMS + 3 * p0 + 1];
+                s9 += d0 * w[7 * GRAMS + 3 * p0 + 2];
+                if (l > 0) {
+                    s0 += c[1] * t[p1];
+                    s1 += c[1] * t[GRAMS + 6 * p1 + 0];
+                    s2 += c[1] * t[GRAMS + 6 * p1 + 1];
+                    s3 += c[1] * t[GRAMS + 6 * p1 + 2];
+                    s4 += c[1] * t[GRAMS + 6 * p1 + 3];
+                    s5 += c[1] * t[GRAMS + 6 * p1 + 4];
+                    s6 += c[1] * t[GRAMS + 6 * p1 + 5];
+                    s7 -= d1 * w[7 * GRAMS + 3 * p1 + 0];
+                    s8 -= d1 * w[7 * GRAMS + 3 * p1 + 1];
+                    s9 -= d1 * w[7 * GRAMS + 3 * p1 + 2];
                 }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e];
+                if (k > 0) {
+                    s0 += c[2] * t[p2];
+                    s1 += c[2] * t[GRAMS + 6 * p2 + 0];
+                    s2 += c[2] * t[GRAMS + 6 * p2 + 1];
+                    s3 += c[2] * t[GRAMS + 6 * p2 + 2];
+                    s4 += c[2] * t[GRAMS + 6 * p2 + 3];
+                    s5 += c[2] * t[GRAMS + 6 * p2 + 4];
+                    s6 += c[2] * t[GRAMS + 6 * p2 + 5];
+                    s7 += d2 * w[7 * GRAMS + 3 * p2 + 0];
+                    s8 += d2 * w[7 * GRAMS + 3 * p2 + 1];
+                    s9 += d2 * w[7 * GRAMS + 3 * p2 + 2];
+                }
+                if (k > 0 && l > 0) {
+                    s0 += c[3] * t[p3];
+                    s1 += c[3] * t[GRAMS + 6 * p3 + 0];
+                    s2 += c[3] * t[GRAMS + 6 * p3 + 1];
+                    s3 += c[3] * t[GRAMS + 6 * p3 + 2];
+                    s4 += c[3] * t[GRAMS + 6 * p3 + 3];
+                    s5 += c[3] * t[GRAMS + 6 * p3 + 4];
+                    s6 += c[3] * t[GRAMS + 6 * p3 + 5];
+                    s7 += d3 * w[7 * GRAMS + 3 * p3 + 0];
+                    s8 += d3 * w[7 * GRAMS + 3 * p3 + 1];
+                    s9 += d3 * w[7 * GRAMS + 3 * p3 + 2];
                 }
             }
-            if (k == 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e];
-                }
-            }
-            if (k > 0 && l == 0) {
-                Q[r] += c[0] * t[at] + c[2] * t[at + FIRST];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[2] * t[at + FIRST + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[2] * w[at + FIRST + 7 + e];
-                }
-            }
-            if (k > 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND] + c[2] * t[at + FIRST] + c[3] * t[at + FIRST + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e] + c[2] * t[at + FIRST + 1 + e] + c[3] * t[at + FIRST + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e] + d[2] * w[at + FIRST + 7 + e] + d[3] * w[at + FIRST + SECOND + 7 + e];
+            x[10 * z + 0] = s0;
+            x[10 * z + 1] = s1;
+            x[10 * z + 2] = s2;
+            x[10 * z + 3] = s3;
+            x[10 * z + 4] = s4;
+            x[10 * z + 5] = s5;
+            x[10 * z + 6] = s6;
+            x[10 * z + 7] = s7;
+            x[10 * z + 8] = s8;
+            x[10 * z + 9] = s9;
+            if (v == u) {
+                for (int a = 0; a < 3; a++) {
+                    x[10 * z + 7 + a] = zero;
                 }
             }
         }
+        if (parts == 1) {
+            Q[m] = x[0];
+            block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
+        }
+        if (parts == 2) {
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] + x[10 + e];
+            }
+            Q[m] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] - x[10 + e];
+            }
+            Q[n] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
+        }
+    }
+    if (OPPOSED) {
+        opposed_blocks(K);
     }
 }
 
@@ -1682,32 +1713,23 @@ static void expand(const double *weight, const hobe_real *even, const hobe_real 
 static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
                          const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
 {
-    hobe_real x0[3 * V], x[3 * V];
-    hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;
-    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;
+    hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;
+    hobe_real *T = X + 9 * GRAMS - 3 * S;
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 10 * BLOCKS; i++) {
-        Q[i] = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
     }
-    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
-    for (int g = 0; g < last + 1; g++) {
-        const int other = MIRRORED ? inv->stations - 1 - g : g;
-        station_rows(inv, g, x0, x, T, rest);
-        if (other != g) {
-            station_rows(inv, other, x0, x, W, rest);
-            even_and_odd(T, W);
-        }
-        const hobe_real *odd = other == g ? T : W;
-        expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);
+    const int couples = MIRRORED ? inv->stations / 2 : 0;
+    for (int g = 0; g < couples; g++) {
+        even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));
     }
+    nodal_blocks(inv, T, Q, K);
     /* D = D0 + U */
     for (int i = 0; i < 3 * V; i++) {
         x[i] += x0[i];
     }
-    images(Q);
     tensor_force(Q, x, f);
-    finish(Q, sym, skew, K);
 }
 
 /* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
@@ -1929,9 +1951,9 @@ static const char *const mode_name[M] = {
     "1", "y", "z", "yy", "yz", "zz", "yyy", "yyz", "yzz", "zzz",
 };
 static const struct hobe_plan_cost section_cost[HOBE_SYMMETRIES] = {
-    {545590, 5106656, 101441}, {293590, 2730296, 50861}, {294262, 2733824, 50929},
-    {167926, 1543880, 25605}, {294262, 2733824, 50929}, {167926, 1543880, 25605},
-    {169606, 1554296, 25813}, {105598, 954116, 13047},
+    {545590, 5092433, 101441}, {293590, 2716073, 50861}, {294262, 2719601, 50929},
+    {167926, 1529657, 25605}, {294262, 2719601, 50929}, {167926, 1529657, 25605},
+    {169606, 1540073, 25813}, {105598, 939893, 13047},
 };
 static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
     {0, 0, 0}, {659493, 6270102, 929180}, {0, 0, 0}, {340837, 3172630, 466044}, {0, 0, 0},
@@ -1954,8 +1976,8 @@ const struct hobe_kernel HOBE_KERNEL(34X3) = {
     .normals = NN,
     .shears = NS,
     .flops_force = 293590,
-    .flops_tangent = 2730296,
-    .scratch = 18973,
+    .flops_tangent = 2716073,
+    .scratch = 19573,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,

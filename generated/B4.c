@@ -7,15 +7,15 @@
  * vectors (mode@node, ' for d/dx): 1@1 1'@1 y@1 z@1 yy@1 yz@1 zz@1 yyy@1 yyz@1 yzz@1 zzz@1
  *     yyyy@1 yyyz@1 yyzz@1 yzzz@1 zzzz@1 1@2 1'@2 y@2 z@2 yy@2 yz@2 zz@2 yyy@2 yyz@2 yzz@2
  *     zzz@2 yyyy@2 yyyz@2 yyzz@2 yzzz@2 zzzz@2
- * operations per element: force 1002687, force and tangent 9345436, energy 979147
- * from station to station, symmetric in nothing: force 1947687, force and tangent 18430036
- * from station to station, symmetric in x: force 1002687, force and tangent 9345436
- * from station to station, symmetric in y: force 1005207, force and tangent 9360196
- * from station to station, symmetric in x y: force 531447, force and tangent 4810516
- * from station to station, symmetric in z: force 1005207, force and tangent 9360196
- * from station to station, symmetric in x z: force 531447, force and tangent 4810516
- * from station to station, symmetric in y z: force 533967, force and tangent 4825276
- * from station to station, symmetric in x y z: force 295827, force and tangent 2543056
+ * operations per element: force 1002687, force and tangent 9322689, energy 979147
+ * from station to station, symmetric in nothing: force 1947687, force and tangent 18407289
+ * from station to station, symmetric in x: force 1002687, force and tangent 9322689
+ * from station to station, symmetric in y: force 1005207, force and tangent 9337449
+ * from station to station, symmetric in x y: force 531447, force and tangent 4787769
+ * from station to station, symmetric in z: force 1005207, force and tangent 9337449
+ * from station to station, symmetric in x z: force 531447, force and tangent 4787769
+ * from station to station, symmetric in y z: force 533967, force and tangent 4802529
+ * from station to station, symmetric in x y z: force 295827, force and tangent 2520309
  * as one tensor, symmetric in x: force 258745, force and tangent 2407903
  * as one tensor, symmetric in x y: force 136537, force and tangent 1228231
  * as one tensor, symmetric in x z: force 136537, force and tangent 1228231
@@ -481,8 +481,6 @@ enum {
     MIRRORED = 1,     /* whether there are mirror images */
     GRAMS = 435,      /* pairs of section vectors */
     AXIAL = 288,      /* weights of a station for axial functions */
-    FIRST = 4060,     /* from the numbers of (k', l') to those of (k, l') among rows of section vectors */
-    SECOND = 140,     /* to those of (k', l) */
     MOST_PAIRS = 496, /* of either kind */
 };
 
@@ -518,37 +516,29 @@ static const double share[] = {
     1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
     1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
 };
-/* pairs of rows that are images, and rows that are their own */
-static const short image[] = {
-    2, 170, 4, 188, 5, 189, 7, 207, 8, 208, 9, 209, 11, 227, 12, 228, 13, 229, 14, 230, 16, 248,
-    17, 249, 18, 250, 19, 251, 20, 252, 22, 270, 23, 271, 24, 272, 25, 273, 26, 274, 27, 275,
-    29, 293, 30, 294, 31, 295, 32, 296, 33, 297, 34, 298, 35, 299, 37, 317, 38, 318, 39, 319,
-    40, 320, 41, 321, 42, 322, 43, 323, 44, 324, 46, 342, 47, 343, 48, 344, 49, 345, 50, 346,
-    51, 347, 52, 348, 53, 349, 54, 350, 56, 368, 57, 369, 58, 370, 59, 371, 60, 372, 61, 373,
-    62, 374, 63, 375, 64, 376, 65, 377, 67, 395, 68, 396, 69, 397, 70, 398, 71, 399, 72, 400,
-    73, 401, 74, 402, 75, 403, 76, 404, 77, 405, 79, 423, 80, 424, 81, 425, 82, 426, 83, 427,
-    84, 428, 85, 429, 86, 430, 87, 431, 88, 432, 89, 433, 90, 434, 92, 452, 93, 453, 94, 454,
-    95, 455, 96, 456, 97, 457, 98, 458, 99, 459, 100, 460, 101, 461, 102, 462, 103, 463, 104,
-    464, 106, 482, 107, 483, 108, 484, 109, 485, 110, 486, 111, 487, 112, 488, 113, 489, 114,
-    490, 115, 491, 116, 492, 117, 493, 118, 494, 119, 495, 121, 513, 122, 514, 123, 515, 124,
-    516, 125, 517, 126, 518, 127, 519, 128, 520, 129, 521, 130, 522, 131, 523, 132, 524, 133,
-    525, 134, 526, 135, 527, 137, 169, 138, 187, 139, 206, 140, 226, 141, 247, 142, 269, 143,
-    292, 144, 316, 145, 341, 146, 367, 147, 394, 148, 422, 149, 451, 150, 481, 151, 512, 155,
-    172, 156, 191, 157, 211, 158, 232, 159, 254, 160, 277, 161, 301, 162, 326, 163, 352, 164,
-    379, 165, 407, 166, 436, 167, 466, 168, 497, 174, 192, 175, 212, 176, 233, 177, 255, 178,
-    278, 179, 302, 180, 327, 181, 353, 182, 380, 183, 408, 184, 437, 185, 467, 186, 498, 194,
-    213, 195, 234, 196, 256, 197, 279, 198, 303, 199, 328, 200, 354, 201, 381, 202, 409, 203,
-    438, 204, 468, 205, 499, 215, 235, 216, 257, 217, 280, 218, 304, 219, 329, 220, 355, 221,
-    382, 222, 410, 223, 439, 224, 469, 225, 500, 237, 258, 238, 281, 239, 305, 240, 330, 241,
-    356, 242, 383, 243, 411, 244, 440, 245, 470, 246, 501, 260, 282, 261, 306, 262, 331, 263,
-    357, 264, 384, 265, 412, 266, 441, 267, 471, 268, 502, 284, 307, 285, 332, 286, 358, 287,
-    385, 288, 413, 289, 442, 290, 472, 291, 503, 309, 333, 310, 359, 311, 386, 312, 414, 313,
-    443, 314, 473, 315, 504, 335, 360, 336, 387, 337, 415, 338, 444, 339, 474, 340, 505, 362,
-    388, 363, 416, 364, 445, 365, 475, 366, 506, 390, 417, 391, 446, 392, 476, 393, 507, 419,
-    447, 420, 477, 421, 508, 449, 478, 450, 509, 480, 510,
-};
-static const short alone[] = {
-    152, 154, 173, 193, 214, 236, 259, 283, 308, 334, 361, 389, 418, 448, 479, 511,
+/* vectors of the rows that have a mirror image after them, and of those alone */
+static const short lead[] = {
+    1, 1, 16, 1, 2, 1, 16, 2, 17, 2, 3, 1, 16, 3, 17, 3, 4, 1, 16, 4, 17, 4, 5, 1, 16, 5, 17, 5,
+    6, 1, 16, 6, 17, 6, 7, 1, 16, 7, 17, 7, 8, 1, 16, 8, 17, 8, 9, 1, 16, 9, 17, 9, 10, 1, 16,
+    10, 17, 10, 11, 1, 16, 11, 17, 11, 12, 1, 16, 12, 17, 12, 13, 1, 16, 13, 17, 13, 14, 1, 16,
+    14, 17, 14, 15, 1, 16, 15, 17, 15, 2, 2, 3, 2, 18, 3, 4, 2, 18, 4, 5, 2, 18, 5, 6, 2, 18, 6,
+    7, 2, 18, 7, 8, 2, 18, 8, 9, 2, 18, 9, 10, 2, 18, 10, 11, 2, 18, 11, 12, 2, 18, 12, 13, 2,
+    18, 13, 14, 2, 18, 14, 15, 2, 18, 15, 3, 3, 4, 3, 19, 4, 5, 3, 19, 5, 6, 3, 19, 6, 7, 3, 19,
+    7, 8, 3, 19, 8, 9, 3, 19, 9, 10, 3, 19, 10, 11, 3, 19, 11, 12, 3, 19, 12, 13, 3, 19, 13, 14,
+    3, 19, 14, 15, 3, 19, 15, 4, 4, 5, 4, 20, 5, 6, 4, 20, 6, 7, 4, 20, 7, 8, 4, 20, 8, 9, 4,
+    20, 9, 10, 4, 20, 10, 11, 4, 20, 11, 12, 4, 20, 12, 13, 4, 20, 13, 14, 4, 20, 14, 15, 4, 20,
+    15, 5, 5, 6, 5, 21, 6, 7, 5, 21, 7, 8, 5, 21, 8, 9, 5, 21, 9, 10, 5, 21, 10, 11, 5, 21, 11,
+    12, 5, 21, 12, 13, 5, 21, 13, 14, 5, 21, 14, 15, 5, 21, 15, 6, 6, 7, 6, 22, 7, 8, 6, 22, 8,
+    9, 6, 22, 9, 10, 6, 22, 10, 11, 6, 22, 11, 12, 6, 22, 12, 13, 6, 22, 13, 14, 6, 22, 14, 15,
+    6, 22, 15, 7, 7, 8, 7, 23, 8, 9, 7, 23, 9, 10, 7, 23, 10, 11, 7, 23, 11, 12, 7, 23, 12, 13,
+    7, 23, 13, 14, 7, 23, 14, 15, 7, 23, 15, 8, 8, 9, 8, 24, 9, 10, 8, 24, 10, 11, 8, 24, 11,
+    12, 8, 24, 12, 13, 8, 24, 13, 14, 8, 24, 14, 15, 8, 24, 15, 9, 9, 10, 9, 25, 10, 11, 9, 25,
+    11, 12, 9, 25, 12, 13, 9, 25, 13, 14, 9, 25, 14, 15, 9, 25, 15, 10, 10, 11, 10, 26, 11, 12,
+    10, 26, 12, 13, 10, 26, 13, 14, 10, 26, 14, 15, 10, 26, 15, 11, 11, 12, 11, 27, 12, 13, 11,
+    27, 13, 14, 11, 27, 14, 15, 11, 27, 15, 12, 12, 13, 12, 28, 13, 14, 12, 28, 14, 15, 12, 28,
+    15, 13, 13, 14, 13, 29, 14, 15, 13, 29, 15, 14, 14, 15, 14, 30, 15, 15, 15, 16, 16, 17, 1,
+    18, 2, 19, 3, 20, 4, 21, 5, 22, 6, 23, 7, 24, 8, 25, 9, 26, 10, 27, 11, 28, 12, 29, 13, 30,
+    14, 31, 15,
 };
 /* by symmetry: how many classes a row meets, and its own class times which */
 static const short merged[] = {
@@ -1291,7 +1281,11 @@ static const double *row_skew(const struct products *of, const double *H, int sy
 static void images(hobe_real *Q)
 {
     for (int o = 0; o < IMAGES; o++) {
-        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        hobe_real *a = Q + m, *b = Q + n;
         const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
         a[0] = sum;
         b[0] = difference;
@@ -1345,8 +1339,10 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
     for (int o = 0; o < IMAGES; o++) {
-        const int m = image[2 * o];
-        const int n = image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
         hobe_real s[6], r[3];
         for (int e = 0; e < 6; e++) {
             s[e] = sym[6 * m + e] + sym[6 * n + e];
@@ -1363,8 +1359,10 @@ static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *sk
         }
         block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
     }
-    for (int o = 0; o < ALONE; o++) {
-        const int m = alone[o];
+    for (int o = IMAGES; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
         block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
     }
 }
@@ -1547,13 +1545,12 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
-                         const hobe_real *x, hobe_real *T, hobe_real *scratch)
+                         const hobe_real *x, hobe_real *X, hobe_real *T)
 {
-    hobe_real B[3 * S], U[3 * S];
-    hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);
-    hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;
+    hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;
+    hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;
     const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
     const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
     section_vectors(N, Nx, x0, B);
@@ -1566,30 +1563,13 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
     for (int i = 0; i < 3 * S; i++) {
         B[i] += 0.5 * U[i];
     }
-    H = row_stress(sectional, H, inv->symmetry, X, Q);
+    H = row_stress(sectional, H, inv->symmetry, X, T);
     products(sectional, B, X, Z);
     H = row_symmetric(sectional, H, inv->symmetry, X, sym);
     row_skew(sectional, H, inv->symmetry, Z, skew);
     for (int i = 0; i < S; i++) {
         for (int a = 0; a < 3; a++) {
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-        for (int j = 0; j < i + 1; j++) {
-            const int r = hobe_pair(i, j);
-            T[10 * (j * S + i)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (j * S + i) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (j * S + i) + 7 + e] = zero - skew[3 * r + e];
-            }
-            T[10 * (i * S + j)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (i * S + j) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (i * S + j) + 7 + e] = skew[3 * r + e];
-            }
         }
     }
 }
@@ -1598,77 +1578,135 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
 static void even_and_odd(hobe_real *T, hobe_real *W)
 {
     for (int i = 0; i < S; i++) {
-        for (int j = 0; j < S; j++) {
-            hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);
+        for (int j = 0; j < i + 1; j++) {
+            const int r = hobe_pair(i, j);
             const int along = (i < M) == (j < M);
-            hobe_real *plus = along ? t : w, *minus = along ? w : t;
+            hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const hobe_real sum = t[e] + w[e], less = t[e] - w[e];
-                plus[e] = sum;
-                minus[e] = less;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
+                plus[at] = sum;
+                minus[at] = less;
             }
         }
     }
 }
 
-/* Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair
- * of mirror images what they share to the first, what they differ by to the other */
-static void expand(const double *weight, const hobe_real *even, const hobe_real *odd, hobe_real *Q,
-                   hobe_real *sym, hobe_real *skew)
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
+ * row and its mirror image the sum of what they share, then that of what they differ by */
+static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
+                         hobe_real *K)
 {
-    for (int v = OPPOSED; v < V; v++) {
-        for (int u = OPPOSED; u < v + 1; u++) {
-            const int r = hobe_pair(v, u);
-            const int a = nodal->mirror[v];
-            const int b = nodal->mirror[u];
-            const int other = symmetric(a, b) < r;
-            const int i = other ? larger(a, b) : v;
-            const int j = other ? a + b - i : u;
-            const int part = odd_of[v] ^ odd_of[u] ^ other;
-            const int turned = part ^ (a < b);
-            const int k = mode[i];
-            const int l = mode[j];
-            const int at = 10 * (k * S + l);
-            const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);
-            const double *c = w2 + 4 * part, *d = w2 + 4 * turned;
-            const hobe_real *t = part ? odd : even, *w = turned ? odd : even;
-            if (k == 0 && l == 0) {
-                Q[r] += c[0] * t[at];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e];
+    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
+    for (int o = 0; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        const int k = mode[v];
+        const int l = mode[u];
+        const int parts = 1 + (o < IMAGES);
+        const int p0 = symmetric(k, l);
+        const int p1 = symmetric(k, M - 1 + l);
+        const int p2 = symmetric(M - 1 + k, l);
+        const int p3 = symmetric(M - 1 + k, M - 1 + l);
+        const double side = k < l ? -1.0 : 1.0;
+        hobe_real x[20], y[10];
+        for (int z = 0; z < parts; z++) {
+            const int part = odd_of[v] ^ odd_of[u] ^ z;
+            const int turned = part ^ (nodal->mirror[v] < nodal->mirror[u]);
+            hobe_real s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero;
+            hobe_real s5 = zero, s6 = zero, s7 = zero, s8 = zero, s9 = zero;
+            for (int g = 0; g < last + 1; g++) {
+                const int image = inv->stations - 1 - g;
+                const hobe_real *t = T + 10 * GRAMS * (part ? image : g);
+                const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);
+                const double *c = inv->section + AXIAL * g + 4 * part +
+                                  8 * (A * axial_of[v] + axial_of[u]);
+                const double *d = c + 4 * (turned - part);
+                const double d0 = side * d[0], d1 = d[1], d2 = d[2], d3 = side * d[3];
+                s0 += c[0] * t[p0];
+                s1 += c[0] * t[GRAMS + 6 * p0 + 0];
+                s2 += c[0] * t[GRAMS + 6 * p0 + 1];
+                s3 += c[0] * t[GRAMS + 6 * p0 + 2];
+                s4 += c[0] * t[GRAMS + 6 * p0 + 3];
+                s5 += c[0] * t[GRAMS + 6 * p0 + 4];
+                s6 += c[0] * t[GRAMS + 6 * p0 + 5];
+                s7 += d0 * w[7 * GRAMS + 3 * p0 + 0];
+                s8 += d0 * w[7 * GRAMS + 3 * p0 + 1];
+                s9 += d0 * w[7 * GRAMS + 3 * p0 + 2];
+                if (l > 0) {
+                    s0 += c[1] * t[p1];
+                    s1 += c[1] * t[GRAMS + 6 * p1 + 0];
+                    s2 += c[1] * t[GRAMS + 6 * p1 + 1];
+                    s3 += c[1] * t[GRAMS + 6 * p1 + 2];
+                    s4 += c[1] * t[GRAMS + 6 * p1 + 3];
+                    s5 += c[1] * t[GRAMS + 6 * p1 + 4];
+                    s6 += c[1] * t[GRAMS + 6 * p1 + 5];
+                    s7 -= d1 * w[7 * GRAMS + 3 * p1 + 0];
+                    s8 -= d1 * w[7 * GRAMS + 3 * p1 + 1];
+                    s9 -= d1 * w[7 * GRAMS + 3 * p1 + 2];
                 }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e];
+                if (k > 0) {
+                    s0 += c[2] * t[p2];
+                    s1 += c[2] * t[GRAMS + 6 * p2 + 0];
+                    s2 += c[2] * t[GRAMS + 6 * p2 + 1];
+                    s3 += c[2] * t[GRAMS + 6 * p2 + 2];
+                    s4 += c[2] * t[GRAMS + 6 * p2 + 3];
+                    s5 += c[2] * t[GRAMS + 6 * p2 + 4];
+                    s6 += c[2] * t[GRAMS + 6 * p2 + 5];
+                    s7 += d2 * w[7 * GRAMS + 3 * p2 + 0];
+                    s8 += d2 * w[7 * GRAMS + 3 * p2 + 1];
+                    s9 += d2 * w[7 * GRAMS + 3 * p2 + 2];
+                }
+                if (k > 0 && l > 0) {
+                    s0 += c[3] * t[p3];
+                    s1 += c[3] * t[GRAMS + 6 * p3 + 0];
+                    s2 += c[3] * t[GRAMS + 6 * p3 + 1];
+                    s3 += c[3] * t[GRAMS + 6 * p3 + 2];
+                    s4 += c[3] * t[GRAMS + 6 * p3 + 3];
+                    s5 += c[3] * t[GRAMS + 6 * p3 + 4];
+                    s6 += c[3] * t[GRAMS + 6 * p3 + 5];
+                    s7 += d3 * w[7 * GRAMS + 3 * p3 + 0];
+                    s8 += d3 * w[7 * GRAMS + 3 * p3 + 1];
+                    s9 += d3 * w[7 * GRAMS + 3 * p3 + 2];
                 }
             }
-            if (k == 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e];
-                }
-            }
-            if (k > 0 && l == 0) {
-                Q[r] += c[0] * t[at] + c[2] * t[at + FIRST];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[2] * t[at + FIRST + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[2] * w[at + FIRST + 7 + e];
-                }
-            }
-            if (k > 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND] + c[2] * t[at + FIRST] + c[3] * t[at + FIRST + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e] + c[2] * t[at + FIRST + 1 + e] + c[3] * t[at + FIRST + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e] + d[2] * w[at + FIRST + 7 + e] + d[3] * w[at + FIRST + SECOND + 7 + e];
+            x[10 * z + 0] = s0;
+            x[10 * z + 1] = s1;
+            x[10 * z + 2] = s2;
+            x[10 * z + 3] = s3;
+            x[10 * z + 4] = s4;
+            x[10 * z + 5] = s5;
+            x[10 * z + 6] = s6;
+            x[10 * z + 7] = s7;
+            x[10 * z + 8] = s8;
+            x[10 * z + 9] = s9;
+            if (v == u) {
+                for (int a = 0; a < 3; a++) {
+                    x[10 * z + 7 + a] = zero;
                 }
             }
         }
+        if (parts == 1) {
+            Q[m] = x[0];
+            block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
+        }
+        if (parts == 2) {
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] + x[10 + e];
+            }
+            Q[m] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] - x[10 + e];
+            }
+            Q[n] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
+        }
+    }
+    if (OPPOSED) {
+        opposed_blocks(K);
     }
 }
 
@@ -1676,32 +1714,23 @@ static void expand(const double *weight, const hobe_real *even, const hobe_real 
 static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
                          const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
 {
-    hobe_real x0[3 * V], x[3 * V];
-    hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;
-    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;
+    hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;
+    hobe_real *T = X + 9 * GRAMS - 3 * S;
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 10 * BLOCKS; i++) {
-        Q[i] = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
     }
-    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
-    for (int g = 0; g < last + 1; g++) {
-        const int other = MIRRORED ? inv->stations - 1 - g : g;
-        station_rows(inv, g, x0, x, T, rest);
-        if (other != g) {
-            station_rows(inv, other, x0, x, W, rest);
-            even_and_odd(T, W);
-        }
-        const hobe_real *odd = other == g ? T : W;
-        expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);
+    const int couples = MIRRORED ? inv->stations / 2 : 0;
+    for (int g = 0; g < couples; g++) {
+        even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));
     }
+    nodal_blocks(inv, T, Q, K);
     /* D = D0 + U */
     for (int i = 0; i < 3 * V; i++) {
         x[i] += x0[i];
     }
-    images(Q);
     tensor_force(Q, x, f);
-    finish(Q, sym, skew, K);
 }
 
 /* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
@@ -1923,9 +1952,9 @@ static const char *const mode_name[M] = {
     "zzzz",
 };
 static const struct hobe_plan_cost section_cost[HOBE_SYMMETRIES] = {
-    {1947687, 18430036, 543286}, {1002687, 9345436, 271966}, {1005207, 9360196, 272374},
-    {531447, 4810516, 136510}, {1005207, 9360196, 272374}, {531447, 4810516, 136510},
-    {533967, 4825276, 136918}, {295827, 2543056, 68782},
+    {1947687, 18407289, 543286}, {1002687, 9322689, 271966}, {1005207, 9337449, 272374},
+    {531447, 4787769, 136510}, {1005207, 9337449, 272374}, {531447, 4787769, 136510},
+    {533967, 4802529, 136918}, {295827, 2520309, 68782},
 };
 static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
     {0, 0, 0}, {258745, 2407903, 354497}, {0, 0, 0}, {136537, 1228231, 178253}, {0, 0, 0},
@@ -1948,8 +1977,8 @@ const struct hobe_kernel HOBE_KERNEL(B4) = {
     .normals = NN,
     .shears = NS,
     .flops_force = 1002687,
-    .flops_tangent = 9345436,
-    .scratch = 30278,
+    .flops_tangent = 9322689,
+    .scratch = 34806,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,

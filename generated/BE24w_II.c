@@ -6,15 +6,15 @@
  * the energy is exact with 5 Gauss points on the axis
  * vectors (mode@node, ' for d/dx): 1@1 1'@1 y@1 z@1 w@1 yy@1 yz@1 zz@1 yyy@1 yyz@1 yzz@1 zzz@1
  *     1@2 1'@2 y@2 z@2 w@2 yy@2 yz@2 zz@2 yyy@2 yyz@2 yzz@2 zzz@2
- * operations per element: force 297947, force and tangent 2663468, energy 285087
- * from station to station, symmetric in nothing: force 564147, force and tangent 5186868
- * from station to station, symmetric in x: force 297947, force and tangent 2663468
- * from station to station, symmetric in y: force 297947, force and tangent 2663468
- * from station to station, symmetric in x y: force 164847, force and tangent 1401768
- * from station to station, symmetric in z: force 297947, force and tangent 2663468
- * from station to station, symmetric in x z: force 164847, force and tangent 1401768
- * from station to station, symmetric in y z: force 165107, force and tangent 1403108
- * from station to station, symmetric in x y z: force 98427, force and tangent 771588
+ * operations per element: force 297947, force and tangent 2651621, energy 285087
+ * from station to station, symmetric in nothing: force 564147, force and tangent 5175021
+ * from station to station, symmetric in x: force 297947, force and tangent 2651621
+ * from station to station, symmetric in y: force 297947, force and tangent 2651621
+ * from station to station, symmetric in x y: force 164847, force and tangent 1389921
+ * from station to station, symmetric in z: force 297947, force and tangent 2651621
+ * from station to station, symmetric in x z: force 164847, force and tangent 1389921
+ * from station to station, symmetric in y z: force 165107, force and tangent 1391261
+ * from station to station, symmetric in x y z: force 98427, force and tangent 759741
  * as one tensor, symmetric in x: force 83373, force and tangent 745995
  * as one tensor, symmetric in x y: force 45413, force and tangent 384335
  * as one tensor, symmetric in x z: force 45413, force and tangent 384335
@@ -491,8 +491,6 @@ enum {
     MIRRORED = 1,     /* whether there are mirror images */
     GRAMS = 231,      /* pairs of section vectors */
     AXIAL = 288,      /* weights of a station for axial functions */
-    FIRST = 2100,     /* from the numbers of (k', l') to those of (k, l') among rows of section vectors */
-    SECOND = 100,     /* to those of (k', l) */
     MOST_PAIRS = 276, /* of either kind */
 };
 
@@ -523,25 +521,19 @@ static const double share[] = {
     1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
     1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
 };
-/* pairs of rows that are images, and rows that are their own */
-static const short image[] = {
-    2, 104, 4, 118, 5, 119, 7, 133, 8, 134, 9, 135, 11, 149, 12, 150, 13, 151, 14, 152, 16, 166,
-    17, 167, 18, 168, 19, 169, 20, 170, 22, 184, 23, 185, 24, 186, 25, 187, 26, 188, 27, 189,
-    29, 203, 30, 204, 31, 205, 32, 206, 33, 207, 34, 208, 35, 209, 37, 223, 38, 224, 39, 225,
-    40, 226, 41, 227, 42, 228, 43, 229, 44, 230, 46, 244, 47, 245, 48, 246, 49, 247, 50, 248,
-    51, 249, 52, 250, 53, 251, 54, 252, 56, 266, 57, 267, 58, 268, 59, 269, 60, 270, 61, 271,
-    62, 272, 63, 273, 64, 274, 65, 275, 67, 289, 68, 290, 69, 291, 70, 292, 71, 293, 72, 294,
-    73, 295, 74, 296, 75, 297, 76, 298, 77, 299, 79, 103, 80, 117, 81, 132, 82, 148, 83, 165,
-    84, 183, 85, 202, 86, 222, 87, 243, 88, 265, 89, 288, 93, 106, 94, 121, 95, 137, 96, 154,
-    97, 172, 98, 191, 99, 211, 100, 232, 101, 254, 102, 277, 108, 122, 109, 138, 110, 155, 111,
-    173, 112, 192, 113, 212, 114, 233, 115, 255, 116, 278, 124, 139, 125, 156, 126, 174, 127,
-    193, 128, 213, 129, 234, 130, 256, 131, 279, 141, 157, 142, 175, 143, 194, 144, 214, 145,
-    235, 146, 257, 147, 280, 159, 176, 160, 195, 161, 215, 162, 236, 163, 258, 164, 281, 178,
-    196, 179, 216, 180, 237, 181, 259, 182, 282, 198, 217, 199, 238, 200, 260, 201, 283, 219,
-    239, 220, 261, 221, 284, 241, 262, 242, 285, 264, 286,
-};
-static const short alone[] = {
-    90, 92, 107, 123, 140, 158, 177, 197, 218, 240, 263, 287,
+/* vectors of the rows that have a mirror image after them, and of those alone */
+static const short lead[] = {
+    1, 1, 12, 1, 2, 1, 12, 2, 13, 2, 3, 1, 12, 3, 13, 3, 4, 1, 12, 4, 13, 4, 5, 1, 12, 5, 13, 5,
+    6, 1, 12, 6, 13, 6, 7, 1, 12, 7, 13, 7, 8, 1, 12, 8, 13, 8, 9, 1, 12, 9, 13, 9, 10, 1, 12,
+    10, 13, 10, 11, 1, 12, 11, 13, 11, 2, 2, 3, 2, 14, 3, 4, 2, 14, 4, 5, 2, 14, 5, 6, 2, 14, 6,
+    7, 2, 14, 7, 8, 2, 14, 8, 9, 2, 14, 9, 10, 2, 14, 10, 11, 2, 14, 11, 3, 3, 4, 3, 15, 4, 5,
+    3, 15, 5, 6, 3, 15, 6, 7, 3, 15, 7, 8, 3, 15, 8, 9, 3, 15, 9, 10, 3, 15, 10, 11, 3, 15, 11,
+    4, 4, 5, 4, 16, 5, 6, 4, 16, 6, 7, 4, 16, 7, 8, 4, 16, 8, 9, 4, 16, 9, 10, 4, 16, 10, 11, 4,
+    16, 11, 5, 5, 6, 5, 17, 6, 7, 5, 17, 7, 8, 5, 17, 8, 9, 5, 17, 9, 10, 5, 17, 10, 11, 5, 17,
+    11, 6, 6, 7, 6, 18, 7, 8, 6, 18, 8, 9, 6, 18, 9, 10, 6, 18, 10, 11, 6, 18, 11, 7, 7, 8, 7,
+    19, 8, 9, 7, 19, 9, 10, 7, 19, 10, 11, 7, 19, 11, 8, 8, 9, 8, 20, 9, 10, 8, 20, 10, 11, 8,
+    20, 11, 9, 9, 10, 9, 21, 10, 11, 9, 21, 11, 10, 10, 11, 10, 22, 11, 11, 11, 12, 12, 13, 1,
+    14, 2, 15, 3, 16, 4, 17, 5, 18, 6, 19, 7, 20, 8, 21, 9, 22, 10, 23, 11,
 };
 /* by symmetry: how many classes a row meets, and its own class times which */
 static const short merged[] = {
@@ -1200,7 +1192,11 @@ static const double *row_skew(const struct products *of, const double *H, int sy
 static void images(hobe_real *Q)
 {
     for (int o = 0; o < IMAGES; o++) {
-        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        hobe_real *a = Q + m, *b = Q + n;
         const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
         a[0] = sum;
         b[0] = difference;
@@ -1254,8 +1250,10 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
     for (int o = 0; o < IMAGES; o++) {
-        const int m = image[2 * o];
-        const int n = image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
         hobe_real s[6], r[3];
         for (int e = 0; e < 6; e++) {
             s[e] = sym[6 * m + e] + sym[6 * n + e];
@@ -1272,8 +1270,10 @@ static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *sk
         }
         block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
     }
-    for (int o = 0; o < ALONE; o++) {
-        const int m = alone[o];
+    for (int o = IMAGES; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
         block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
     }
 }
@@ -1456,13 +1456,12 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
-                         const hobe_real *x, hobe_real *T, hobe_real *scratch)
+                         const hobe_real *x, hobe_real *X, hobe_real *T)
 {
-    hobe_real B[3 * S], U[3 * S];
-    hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);
-    hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;
+    hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;
+    hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;
     const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
     const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
     section_vectors(N, Nx, x0, B);
@@ -1475,30 +1474,13 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
     for (int i = 0; i < 3 * S; i++) {
         B[i] += 0.5 * U[i];
     }
-    H = row_stress(sectional, H, inv->symmetry, X, Q);
+    H = row_stress(sectional, H, inv->symmetry, X, T);
     products(sectional, B, X, Z);
     H = row_symmetric(sectional, H, inv->symmetry, X, sym);
     row_skew(sectional, H, inv->symmetry, Z, skew);
     for (int i = 0; i < S; i++) {
         for (int a = 0; a < 3; a++) {
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-        for (int j = 0; j < i + 1; j++) {
-            const int r = hobe_pair(i, j);
-            T[10 * (j * S + i)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (j * S + i) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (j * S + i) + 7 + e] = zero - skew[3 * r + e];
-            }
-            T[10 * (i * S + j)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (i * S + j) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (i * S + j) + 7 + e] = skew[3 * r + e];
-            }
         }
     }
 }
@@ -1507,77 +1489,135 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
 static void even_and_odd(hobe_real *T, hobe_real *W)
 {
     for (int i = 0; i < S; i++) {
-        for (int j = 0; j < S; j++) {
-            hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);
+        for (int j = 0; j < i + 1; j++) {
+            const int r = hobe_pair(i, j);
             const int along = (i < M) == (j < M);
-            hobe_real *plus = along ? t : w, *minus = along ? w : t;
+            hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const hobe_real sum = t[e] + w[e], less = t[e] - w[e];
-                plus[e] = sum;
-                minus[e] = less;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
+                plus[at] = sum;
+                minus[at] = less;
             }
         }
     }
 }
 
-/* Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair
- * of mirror images what they share to the first, what they differ by to the other */
-static void expand(const double *weight, const hobe_real *even, const hobe_real *odd, hobe_real *Q,
-                   hobe_real *sym, hobe_real *skew)
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
+ * row and its mirror image the sum of what they share, then that of what they differ by */
+static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
+                         hobe_real *K)
 {
-    for (int v = OPPOSED; v < V; v++) {
-        for (int u = OPPOSED; u < v + 1; u++) {
-            const int r = hobe_pair(v, u);
-            const int a = nodal->mirror[v];
-            const int b = nodal->mirror[u];
-            const int other = symmetric(a, b) < r;
-            const int i = other ? larger(a, b) : v;
-            const int j = other ? a + b - i : u;
-            const int part = odd_of[v] ^ odd_of[u] ^ other;
-            const int turned = part ^ (a < b);
-            const int k = mode[i];
-            const int l = mode[j];
-            const int at = 10 * (k * S + l);
-            const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);
-            const double *c = w2 + 4 * part, *d = w2 + 4 * turned;
-            const hobe_real *t = part ? odd : even, *w = turned ? odd : even;
-            if (k == 0 && l == 0) {
-                Q[r] += c[0] * t[at];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e];
+    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
+    for (int o = 0; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        const int k = mode[v];
+        const int l = mode[u];
+        const int parts = 1 + (o < IMAGES);
+        const int p0 = symmetric(k, l);
+        const int p1 = symmetric(k, M - 1 + l);
+        const int p2 = symmetric(M - 1 + k, l);
+        const int p3 = symmetric(M - 1 + k, M - 1 + l);
+        const double side = k < l ? -1.0 : 1.0;
+        hobe_real x[20], y[10];
+        for (int z = 0; z < parts; z++) {
+            const int part = odd_of[v] ^ odd_of[u] ^ z;
+            const int turned = part ^ (nodal->mirror[v] < nodal->mirror[u]);
+            hobe_real s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero;
+            hobe_real s5 = zero, s6 = zero, s7 = zero, s8 = zero, s9 = zero;
+            for (int g = 0; g < last + 1; g++) {
+                const int image = inv->stations - 1 - g;
+                const hobe_real *t = T + 10 * GRAMS * (part ? image : g);
+                const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);
+                const double *c = inv->section + AXIAL * g + 4 * part +
+                                  8 * (A * axial_of[v] + axial_of[u]);
+                const double *d = c + 4 * (turned - part);
+                const double d0 = side * d[0], d1 = d[1], d2 = d[2], d3 = side * d[3];
+                s0 += c[0] * t[p0];
+                s1 += c[0] * t[GRAMS + 6 * p0 + 0];
+                s2 += c[0] * t[GRAMS + 6 * p0 + 1];
+                s3 += c[0] * t[GRAMS + 6 * p0 + 2];
+                s4 += c[0] * t[GRAMS + 6 * p0 + 3];
+                s5 += c[0] * t[GRAMS + 6 * p0 + 4];
+                s6 += c[0] * t[GRAMS + 6 * p0 + 5];
+                s7 += d0 * w[7 * GRAMS + 3 * p0 + 0];
+                s8 += d0 * w[7 * GRAMS + 3 * p0 + 1];
+                s9 += d0 * w[7 * GRAMS + 3 * p0 + 2];
+                if (l > 0) {
+                    s0 += c[1] * t[p1];
+                    s1 += c[1] * t[GRAMS + 6 * p1 + 0];
+                    s2 += c[1] * t[GRAMS + 6 * p1 + 1];
+                    s3 += c[1] * t[GRAMS + 6 * p1 + 2];
+                    s4 += c[1] * t[GRAMS + 6 * p1 + 3];
+                    s5 += c[1] * t[GRAMS + 6 * p1 + 4];
+                    s6 += c[1] * t[GRAMS + 6 * p1 + 5];
+                    s7 -= d1 * w[7 * GRAMS + 3 * p1 + 0];
+                    s8 -= d1 * w[7 * GRAMS + 3 * p1 + 1];
+                    s9 -= d1 * w[7 * GRAMS + 3 * p1 + 2];
                 }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e];
+                if (k > 0) {
+                    s0 += c[2] * t[p2];
+                    s1 += c[2] * t[GRAMS + 6 * p2 + 0];
+                    s2 += c[2] * t[GRAMS + 6 * p2 + 1];
+                    s3 += c[2] * t[GRAMS + 6 * p2 + 2];
+                    s4 += c[2] * t[GRAMS + 6 * p2 + 3];
+                    s5 += c[2] * t[GRAMS + 6 * p2 + 4];
+                    s6 += c[2] * t[GRAMS + 6 * p2 + 5];
+                    s7 += d2 * w[7 * GRAMS + 3 * p2 + 0];
+                    s8 += d2 * w[7 * GRAMS + 3 * p2 + 1];
+                    s9 += d2 * w[7 * GRAMS + 3 * p2 + 2];
+                }
+                if (k > 0 && l > 0) {
+                    s0 += c[3] * t[p3];
+                    s1 += c[3] * t[GRAMS + 6 * p3 + 0];
+                    s2 += c[3] * t[GRAMS + 6 * p3 + 1];
+                    s3 += c[3] * t[GRAMS + 6 * p3 + 2];
+                    s4 += c[3] * t[GRAMS + 6 * p3 + 3];
+                    s5 += c[3] * t[GRAMS + 6 * p3 + 4];
+                    s6 += c[3] * t[GRAMS + 6 * p3 + 5];
+                    s7 += d3 * w[7 * GRAMS + 3 * p3 + 0];
+                    s8 += d3 * w[7 * GRAMS + 3 * p3 + 1];
+                    s9 += d3 * w[7 * GRAMS + 3 * p3 + 2];
                 }
             }
-            if (k == 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e];
-                }
-            }
-            if (k > 0 && l == 0) {
-                Q[r] += c[0] * t[at] + c[2] * t[at + FIRST];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[2] * t[at + FIRST + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[2] * w[at + FIRST + 7 + e];
-                }
-            }
-            if (k > 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND] + c[2] * t[at + FIRST] + c[3] * t[at + FIRST + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e] + c[2] * t[at + FIRST + 1 + e] + c[3] * t[at + FIRST + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e] + d[2] * w[at + FIRST + 7 + e] + d[3] * w[at + FIRST + SECOND + 7 + e];
+            x[10 * z + 0] = s0;
+            x[10 * z + 1] = s1;
+            x[10 * z + 2] = s2;
+            x[10 * z + 3] = s3;
+            x[10 * z + 4] = s4;
+            x[10 * z + 5] = s5;
+            x[10 * z + 6] = s6;
+            x[10 * z + 7] = s7;
+            x[10 * z + 8] = s8;
+            x[10 * z + 9] = s9;
+            if (v == u) {
+                for (int a = 0; a < 3; a++) {
+                    x[10 * z + 7 + a] = zero;
                 }
             }
         }
+        if (parts == 1) {
+            Q[m] = x[0];
+            block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
+        }
+        if (parts == 2) {
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] + x[10 + e];
+            }
+            Q[m] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] - x[10 + e];
+            }
+            Q[n] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
+        }
+    }
+    if (OPPOSED) {
+        opposed_blocks(K);
     }
 }
 
@@ -1585,32 +1625,23 @@ static void expand(const double *weight, const hobe_real *even, const hobe_real 
 static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
                          const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
 {
-    hobe_real x0[3 * V], x[3 * V];
-    hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;
-    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;
+    hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;
+    hobe_real *T = X + 9 * GRAMS - 3 * S;
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 10 * BLOCKS; i++) {
-        Q[i] = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
     }
-    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
-    for (int g = 0; g < last + 1; g++) {
-        const int other = MIRRORED ? inv->stations - 1 - g : g;
-        station_rows(inv, g, x0, x, T, rest);
-        if (other != g) {
-            station_rows(inv, other, x0, x, W, rest);
-            even_and_odd(T, W);
-        }
-        const hobe_real *odd = other == g ? T : W;
-        expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);
+    const int couples = MIRRORED ? inv->stations / 2 : 0;
+    for (int g = 0; g < couples; g++) {
+        even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));
     }
+    nodal_blocks(inv, T, Q, K);
     /* D = D0 + U */
     for (int i = 0; i < 3 * V; i++) {
         x[i] += x0[i];
     }
-    images(Q);
     tensor_force(Q, x, f);
-    finish(Q, sym, skew, K);
 }
 
 /* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
@@ -1833,9 +1864,9 @@ static const char *const function_name[] = {
     "w",
 };
 static const struct hobe_plan_cost section_cost[HOBE_SYMMETRIES] = {
-    {564147, 5186868, 150822}, {297947, 2663468, 75582}, {297947, 2663468, 75582},
-    {164847, 1401768, 37962}, {297947, 2663468, 75582}, {164847, 1401768, 37962},
-    {165107, 1403108, 37998}, {98427, 771588, 19170},
+    {564147, 5175021, 150822}, {297947, 2651621, 75582}, {297947, 2651621, 75582},
+    {164847, 1389921, 37962}, {297947, 2651621, 75582}, {164847, 1389921, 37962},
+    {165107, 1391261, 37998}, {98427, 759741, 19170},
 };
 static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
     {0, 0, 0}, {83373, 745995, 108385}, {0, 0, 0}, {45413, 384335, 54435}, {0, 0, 0},
@@ -1858,8 +1889,8 @@ const struct hobe_kernel HOBE_KERNEL(BE24w_II) = {
     .normals = NN,
     .shears = NS,
     .flops_force = 297947,
-    .flops_tangent = 2663468,
-    .scratch = 16146,
+    .flops_tangent = 2651621,
+    .scratch = 18486,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,

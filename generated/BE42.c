@@ -6,15 +6,15 @@
  * the energy is exact with 5 Gauss points on the axis
  * vectors (mode@node, ' for d/dx): 1@1 1'@1 y@1 z@1 yy@1 yz@1 zz@1 1@2 1'@2 y@2 z@2 yy@2 yz@2
  *     zz@2
- * operations per element: force 31722, force and tangent 237688, energy 27712
- * from station to station, symmetric in nothing: force 53322, force and tangent 433888
- * from station to station, symmetric in x: force 31722, force and tangent 237688
- * from station to station, symmetric in y: force 32042, force and tangent 239568
- * from station to station, symmetric in x y: force 21082, force and tangent 140528
- * from station to station, symmetric in z: force 32042, force and tangent 239568
- * from station to station, symmetric in x z: force 21082, force and tangent 140528
- * from station to station, symmetric in y z: force 21402, force and tangent 142408
- * from station to station, symmetric in x y z: force 15762, force and tangent 91948
+ * operations per element: force 31722, force and tangent 234516, energy 27712
+ * from station to station, symmetric in nothing: force 53322, force and tangent 430716
+ * from station to station, symmetric in x: force 31722, force and tangent 234516
+ * from station to station, symmetric in y: force 32042, force and tangent 236396
+ * from station to station, symmetric in x y: force 21082, force and tangent 137356
+ * from station to station, symmetric in z: force 32042, force and tangent 236396
+ * from station to station, symmetric in x z: force 21082, force and tangent 137356
+ * from station to station, symmetric in y z: force 21402, force and tangent 139236
+ * from station to station, symmetric in x y z: force 15762, force and tangent 88776
  * as one tensor, symmetric in x: force 10768, force and tangent 83140
  * as one tensor, symmetric in x y: force 6808, force and tangent 46348
  * as one tensor, symmetric in x z: force 6808, force and tangent 46348
@@ -441,8 +441,6 @@ enum {
     MIRRORED = 1,    /* whether there are mirror images */
     GRAMS = 66,      /* pairs of section vectors */
     AXIAL = 288,     /* weights of a station for axial functions */
-    FIRST = 550,     /* from the numbers of (k', l') to those of (k, l') among rows of section vectors */
-    SECOND = 50,     /* to those of (k', l) */
     MOST_PAIRS = 91, /* of either kind */
 };
 
@@ -472,15 +470,12 @@ static const double share[] = {
     1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
     1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
 };
-/* pairs of rows that are images, and rows that are their own */
-static const short image[] = {
-    2, 44, 4, 53, 5, 54, 7, 63, 8, 64, 9, 65, 11, 74, 12, 75, 13, 76, 14, 77, 16, 86, 17, 87,
-    18, 88, 19, 89, 20, 90, 22, 99, 23, 100, 24, 101, 25, 102, 26, 103, 27, 104, 29, 43, 30, 52,
-    31, 62, 32, 73, 33, 85, 34, 98, 38, 46, 39, 56, 40, 67, 41, 79, 42, 92, 48, 57, 49, 68, 50,
-    80, 51, 93, 59, 69, 60, 81, 61, 94, 71, 82, 72, 95, 84, 96,
-};
-static const short alone[] = {
-    35, 37, 47, 58, 70, 83, 97,
+/* vectors of the rows that have a mirror image after them, and of those alone */
+static const short lead[] = {
+    1, 1, 7, 1, 2, 1, 7, 2, 8, 2, 3, 1, 7, 3, 8, 3, 4, 1, 7, 4, 8, 4, 5, 1, 7, 5, 8, 5, 6, 1, 7,
+    6, 8, 6, 2, 2, 3, 2, 9, 3, 4, 2, 9, 4, 5, 2, 9, 5, 6, 2, 9, 6, 3, 3, 4, 3, 10, 4, 5, 3, 10,
+    5, 6, 3, 10, 6, 4, 4, 5, 4, 11, 5, 6, 4, 11, 6, 5, 5, 6, 5, 12, 6, 6, 6, 7, 7, 8, 1, 9, 2,
+    10, 3, 11, 4, 12, 5, 13, 6,
 };
 /* by symmetry: how many classes a row meets, and its own class times which */
 static const short merged[] = {
@@ -1075,7 +1070,11 @@ static const double *row_skew(const struct products *of, const double *H, int sy
 static void images(hobe_real *Q)
 {
     for (int o = 0; o < IMAGES; o++) {
-        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        hobe_real *a = Q + m, *b = Q + n;
         const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
         a[0] = sum;
         b[0] = difference;
@@ -1129,8 +1128,10 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
     for (int o = 0; o < IMAGES; o++) {
-        const int m = image[2 * o];
-        const int n = image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
         hobe_real s[6], r[3];
         for (int e = 0; e < 6; e++) {
             s[e] = sym[6 * m + e] + sym[6 * n + e];
@@ -1147,8 +1148,10 @@ static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *sk
         }
         block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
     }
-    for (int o = 0; o < ALONE; o++) {
-        const int m = alone[o];
+    for (int o = IMAGES; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
         block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
     }
 }
@@ -1331,13 +1334,12 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
-                         const hobe_real *x, hobe_real *T, hobe_real *scratch)
+                         const hobe_real *x, hobe_real *X, hobe_real *T)
 {
-    hobe_real B[3 * S], U[3 * S];
-    hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);
-    hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;
+    hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;
+    hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;
     const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
     const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
     section_vectors(N, Nx, x0, B);
@@ -1350,30 +1352,13 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
     for (int i = 0; i < 3 * S; i++) {
         B[i] += 0.5 * U[i];
     }
-    H = row_stress(sectional, H, inv->symmetry, X, Q);
+    H = row_stress(sectional, H, inv->symmetry, X, T);
     products(sectional, B, X, Z);
     H = row_symmetric(sectional, H, inv->symmetry, X, sym);
     row_skew(sectional, H, inv->symmetry, Z, skew);
     for (int i = 0; i < S; i++) {
         for (int a = 0; a < 3; a++) {
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-        for (int j = 0; j < i + 1; j++) {
-            const int r = hobe_pair(i, j);
-            T[10 * (j * S + i)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (j * S + i) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (j * S + i) + 7 + e] = zero - skew[3 * r + e];
-            }
-            T[10 * (i * S + j)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (i * S + j) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (i * S + j) + 7 + e] = skew[3 * r + e];
-            }
         }
     }
 }
@@ -1382,77 +1367,135 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
 static void even_and_odd(hobe_real *T, hobe_real *W)
 {
     for (int i = 0; i < S; i++) {
-        for (int j = 0; j < S; j++) {
-            hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);
+        for (int j = 0; j < i + 1; j++) {
+            const int r = hobe_pair(i, j);
             const int along = (i < M) == (j < M);
-            hobe_real *plus = along ? t : w, *minus = along ? w : t;
+            hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const hobe_real sum = t[e] + w[e], less = t[e] - w[e];
-                plus[e] = sum;
-                minus[e] = less;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
+                plus[at] = sum;
+                minus[at] = less;
             }
         }
     }
 }
 
-/* Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair
- * of mirror images what they share to the first, what they differ by to the other */
-static void expand(const double *weight, const hobe_real *even, const hobe_real *odd, hobe_real *Q,
-                   hobe_real *sym, hobe_real *skew)
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
+ * row and its mirror image the sum of what they share, then that of what they differ by */
+static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
+                         hobe_real *K)
 {
-    for (int v = OPPOSED; v < V; v++) {
-        for (int u = OPPOSED; u < v + 1; u++) {
-            const int r = hobe_pair(v, u);
-            const int a = nodal->mirror[v];
-            const int b = nodal->mirror[u];
-            const int other = symmetric(a, b) < r;
-            const int i = other ? larger(a, b) : v;
-            const int j = other ? a + b - i : u;
-            const int part = odd_of[v] ^ odd_of[u] ^ other;
-            const int turned = part ^ (a < b);
-            const int k = mode[i];
-            const int l = mode[j];
-            const int at = 10 * (k * S + l);
-            const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);
-            const double *c = w2 + 4 * part, *d = w2 + 4 * turned;
-            const hobe_real *t = part ? odd : even, *w = turned ? odd : even;
-            if (k == 0 && l == 0) {
-                Q[r] += c[0] * t[at];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e];
+    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
+    for (int o = 0; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        const int k = mode[v];
+        const int l = mode[u];
+        const int parts = 1 + (o < IMAGES);
+        const int p0 = symmetric(k, l);
+        const int p1 = symmetric(k, M - 1 + l);
+        const int p2 = symmetric(M - 1 + k, l);
+        const int p3 = symmetric(M - 1 + k, M - 1 + l);
+        const double side = k < l ? -1.0 : 1.0;
+        hobe_real x[20], y[10];
+        for (int z = 0; z < parts; z++) {
+            const int part = odd_of[v] ^ odd_of[u] ^ z;
+            const int turned = part ^ (nodal->mirror[v] < nodal->mirror[u]);
+            hobe_real s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero;
+            hobe_real s5 = zero, s6 = zero, s7 = zero, s8 = zero, s9 = zero;
+            for (int g = 0; g < last + 1; g++) {
+                const int image = inv->stations - 1 - g;
+                const hobe_real *t = T + 10 * GRAMS * (part ? image : g);
+                const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);
+                const double *c = inv->section + AXIAL * g + 4 * part +
+                                  8 * (A * axial_of[v] + axial_of[u]);
+                const double *d = c + 4 * (turned - part);
+                const double d0 = side * d[0], d1 = d[1], d2 = d[2], d3 = side * d[3];
+                s0 += c[0] * t[p0];
+                s1 += c[0] * t[GRAMS + 6 * p0 + 0];
+                s2 += c[0] * t[GRAMS + 6 * p0 + 1];
+                s3 += c[0] * t[GRAMS + 6 * p0 + 2];
+                s4 += c[0] * t[GRAMS + 6 * p0 + 3];
+                s5 += c[0] * t[GRAMS + 6 * p0 + 4];
+                s6 += c[0] * t[GRAMS + 6 * p0 + 5];
+                s7 += d0 * w[7 * GRAMS + 3 * p0 + 0];
+                s8 += d0 * w[7 * GRAMS + 3 * p0 + 1];
+                s9 += d0 * w[7 * GRAMS + 3 * p0 + 2];
+                if (l > 0) {
+                    s0 += c[1] * t[p1];
+                    s1 += c[1] * t[GRAMS + 6 * p1 + 0];
+                    s2 += c[1] * t[GRAMS + 6 * p1 + 1];
+                    s3 += c[1] * t[GRAMS + 6 * p1 + 2];
+                    s4 += c[1] * t[GRAMS + 6 * p1 + 3];
+                    s5 += c[1] * t[GRAMS + 6 * p1 + 4];
+                    s6 += c[1] * t[GRAMS + 6 * p1 + 5];
+                    s7 -= d1 * w[7 * GRAMS + 3 * p1 + 0];
+                    s8 -= d1 * w[7 * GRAMS + 3 * p1 + 1];
+                    s9 -= d1 * w[7 * GRAMS + 3 * p1 + 2];
                 }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e];
+                if (k > 0) {
+                    s0 += c[2] * t[p2];
+                    s1 += c[2] * t[GRAMS + 6 * p2 + 0];
+                    s2 += c[2] * t[GRAMS + 6 * p2 + 1];
+                    s3 += c[2] * t[GRAMS + 6 * p2 + 2];
+                    s4 += c[2] * t[GRAMS + 6 * p2 + 3];
+                    s5 += c[2] * t[GRAMS + 6 * p2 + 4];
+                    s6 += c[2] * t[GRAMS + 6 * p2 + 5];
+                    s7 += d2 * w[7 * GRAMS + 3 * p2 + 0];
+                    s8 += d2 * w[7 * GRAMS + 3 * p2 + 1];
+                    s9 += d2 * w[7 * GRAMS + 3 * p2 + 2];
+                }
+                if (k > 0 && l > 0) {
+                    s0 += c[3] * t[p3];
+                    s1 += c[3] * t[GRAMS + 6 * p3 + 0];
+                    s2 += c[3] * t[GRAMS + 6 * p3 + 1];
+                    s3 += c[3] * t[GRAMS + 6 * p3 + 2];
+                    s4 += c[3] * t[GRAMS + 6 * p3 + 3];
+                    s5 += c[3] * t[GRAMS + 6 * p3 + 4];
+                    s6 += c[3] * t[GRAMS + 6 * p3 + 5];
+                    s7 += d3 * w[7 * GRAMS + 3 * p3 + 0];
+                    s8 += d3 * w[7 * GRAMS + 3 * p3 + 1];
+                    s9 += d3 * w[7 * GRAMS + 3 * p3 + 2];
                 }
             }
-            if (k == 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e];
-                }
-            }
-            if (k > 0 && l == 0) {
-                Q[r] += c[0] * t[at] + c[2] * t[at + FIRST];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[2] * t[at + FIRST + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[2] * w[at + FIRST + 7 + e];
-                }
-            }
-            if (k > 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND] + c[2] * t[at + FIRST] + c[3] * t[at + FIRST + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e] + c[2] * t[at + FIRST + 1 + e] + c[3] * t[at + FIRST + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e] + d[2] * w[at + FIRST + 7 + e] + d[3] * w[at + FIRST + SECOND + 7 + e];
+            x[10 * z + 0] = s0;
+            x[10 * z + 1] = s1;
+            x[10 * z + 2] = s2;
+            x[10 * z + 3] = s3;
+            x[10 * z + 4] = s4;
+            x[10 * z + 5] = s5;
+            x[10 * z + 6] = s6;
+            x[10 * z + 7] = s7;
+            x[10 * z + 8] = s8;
+            x[10 * z + 9] = s9;
+            if (v == u) {
+                for (int a = 0; a < 3; a++) {
+                    x[10 * z + 7 + a] = zero;
                 }
             }
         }
+        if (parts == 1) {
+            Q[m] = x[0];
+            block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
+        }
+        if (parts == 2) {
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] + x[10 + e];
+            }
+            Q[m] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] - x[10 + e];
+            }
+            Q[n] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
+        }
+    }
+    if (OPPOSED) {
+        opposed_blocks(K);
     }
 }
 
@@ -1460,32 +1503,23 @@ static void expand(const double *weight, const hobe_real *even, const hobe_real 
 static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
                          const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
 {
-    hobe_real x0[3 * V], x[3 * V];
-    hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;
-    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;
+    hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;
+    hobe_real *T = X + 9 * GRAMS - 3 * S;
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 10 * BLOCKS; i++) {
-        Q[i] = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
     }
-    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
-    for (int g = 0; g < last + 1; g++) {
-        const int other = MIRRORED ? inv->stations - 1 - g : g;
-        station_rows(inv, g, x0, x, T, rest);
-        if (other != g) {
-            station_rows(inv, other, x0, x, W, rest);
-            even_and_odd(T, W);
-        }
-        const hobe_real *odd = other == g ? T : W;
-        expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);
+    const int couples = MIRRORED ? inv->stations / 2 : 0;
+    for (int g = 0; g < couples; g++) {
+        even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));
     }
+    nodal_blocks(inv, T, Q, K);
     /* D = D0 + U */
     for (int i = 0; i < 3 * V; i++) {
         x[i] += x0[i];
     }
-    images(Q);
     tensor_force(Q, x, f);
-    finish(Q, sym, skew, K);
 }
 
 /* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
@@ -1704,8 +1738,8 @@ static const char *const mode_name[M] = {
     "1", "y", "z", "yy", "yz", "zz",
 };
 static const struct hobe_plan_cost section_cost[HOBE_SYMMETRIES] = {
-    {53322, 433888, 11737}, {31722, 237688, 5917}, {32042, 239568, 5969}, {21082, 140528, 3033},
-    {32042, 239568, 5969}, {21082, 140528, 3033}, {21402, 142408, 3085}, {15762, 91948, 1591},
+    {53322, 430716, 11737}, {31722, 234516, 5917}, {32042, 236396, 5969}, {21082, 137356, 3033},
+    {32042, 236396, 5969}, {21082, 137356, 3033}, {21402, 139236, 3085}, {15762, 88776, 1591},
 };
 static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
     {0, 0, 0}, {10768, 83140, 11390}, {0, 0, 0}, {6808, 46348, 5918}, {0, 0, 0},
@@ -1728,8 +1762,8 @@ const struct hobe_kernel HOBE_KERNEL(BE42) = {
     .normals = NN,
     .shears = NS,
     .flops_force = 31722,
-    .flops_tangent = 237688,
-    .scratch = 4691,
+    .flops_tangent = 234516,
+    .scratch = 5286,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,

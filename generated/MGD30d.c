@@ -7,15 +7,15 @@
  * vectors (mode@node, ' for d/dx): 1@1 1'@1 y@1 z@1 w@1 wy@1 wz@1 ww@1 w1@1 v1y@1 v1z@1 v2y@1
  *     v2z@1 y@2 z@2 w@2 wy@2 wz@2 ww@2 w1@2 v1y@2 v1z@2 v2y@2 v2z@2 1@3 1'@3 y@3 z@3 w@3 wy@3
  *     wz@3 ww@3 w1@3 v1y@3 v1z@3 v2y@3 v2z@3
- * operations per element: force 419652, force and tangent 3877321, energy 403762
- * from station to station, symmetric in nothing: force 799812, force and tangent 7496761
- * from station to station, symmetric in x: force 419652, force and tangent 3877321
- * from station to station, symmetric in y: force 421812, force and tangent 3890641
- * from station to station, symmetric in x y: force 230652, force and tangent 2074261
- * from station to station, symmetric in z: force 421812, force and tangent 3890641
- * from station to station, symmetric in x z: force 230652, force and tangent 2074261
- * from station to station, symmetric in y z: force 238132, force and tangent 2131121
- * from station to station, symmetric in x y z: force 138812, force and tangent 1194501
+ * operations per element: force 419652, force and tangent 3863079, energy 403762
+ * from station to station, symmetric in nothing: force 799812, force and tangent 7482519
+ * from station to station, symmetric in x: force 419652, force and tangent 3863079
+ * from station to station, symmetric in y: force 421812, force and tangent 3876399
+ * from station to station, symmetric in x y: force 230652, force and tangent 2060019
+ * from station to station, symmetric in z: force 421812, force and tangent 3876399
+ * from station to station, symmetric in x z: force 230652, force and tangent 2060019
+ * from station to station, symmetric in y z: force 238132, force and tangent 2116879
+ * from station to station, symmetric in x y z: force 138812, force and tangent 1180259
  * as one tensor, symmetric in x: force 464749, force and tangent 4376761
  * as one tensor, symmetric in x y: force 241645, force and tangent 2218297
  * as one tensor, symmetric in x z: force 241645, force and tangent 2218297
@@ -502,8 +502,6 @@ enum {
     MIRRORED = 1,     /* whether there are mirror images */
     GRAMS = 276,      /* pairs of section vectors */
     AXIAL = 392,      /* weights of a station for axial functions */
-    FIRST = 2530,     /* from the numbers of (k', l') to those of (k, l') among rows of section vectors */
-    SECOND = 110,     /* to those of (k', l) */
     MOST_PAIRS = 666, /* of either kind */
 };
 
@@ -541,46 +539,39 @@ static const double share[] = {
     1.0 / 2.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
     1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
 };
-/* pairs of rows that are images, and rows that are their own */
-static const short image[] = {
-    2, 350, 4, 376, 5, 377, 7, 403, 8, 404, 9, 405, 11, 431, 12, 432, 13, 433, 14, 434, 16, 460,
-    17, 461, 18, 462, 19, 463, 20, 464, 22, 490, 23, 491, 24, 492, 25, 493, 26, 494, 27, 495,
-    29, 521, 30, 522, 31, 523, 32, 524, 33, 525, 34, 526, 35, 527, 37, 553, 38, 554, 39, 555,
-    40, 556, 41, 557, 42, 558, 43, 559, 44, 560, 46, 586, 47, 587, 48, 588, 49, 589, 50, 590,
-    51, 591, 52, 592, 53, 593, 54, 594, 56, 620, 57, 621, 58, 622, 59, 623, 60, 624, 61, 625,
-    62, 626, 63, 627, 64, 628, 65, 629, 67, 655, 68, 656, 69, 657, 70, 658, 71, 659, 72, 660,
-    73, 661, 74, 662, 75, 663, 76, 664, 77, 665, 79, 691, 80, 692, 81, 693, 82, 694, 83, 695,
-    84, 696, 85, 697, 86, 698, 87, 699, 88, 700, 89, 701, 90, 702, 92, 338, 93, 364, 94, 391,
-    95, 419, 96, 448, 97, 478, 98, 509, 99, 541, 100, 574, 101, 608, 102, 643, 103, 679, 106,
-    339, 107, 365, 108, 392, 109, 420, 110, 449, 111, 479, 112, 510, 113, 542, 114, 575, 115,
-    609, 116, 644, 117, 680, 121, 340, 122, 366, 123, 393, 124, 421, 125, 450, 126, 480, 127,
-    511, 128, 543, 129, 576, 130, 610, 131, 645, 132, 681, 137, 341, 138, 367, 139, 394, 140,
-    422, 141, 451, 142, 481, 143, 512, 144, 544, 145, 577, 146, 611, 147, 646, 148, 682, 154,
-    342, 155, 368, 156, 395, 157, 423, 158, 452, 159, 482, 160, 513, 161, 545, 162, 578, 163,
-    612, 164, 647, 165, 683, 172, 343, 173, 369, 174, 396, 175, 424, 176, 453, 177, 483, 178,
-    514, 179, 546, 180, 579, 181, 613, 182, 648, 183, 684, 191, 344, 192, 370, 193, 397, 194,
-    425, 195, 454, 196, 484, 197, 515, 198, 547, 199, 580, 200, 614, 201, 649, 202, 685, 211,
-    345, 212, 371, 213, 398, 214, 426, 215, 455, 216, 485, 217, 516, 218, 548, 219, 581, 220,
-    615, 221, 650, 222, 686, 232, 346, 233, 372, 234, 399, 235, 427, 236, 456, 237, 486, 238,
-    517, 239, 549, 240, 582, 241, 616, 242, 651, 243, 687, 254, 347, 255, 373, 256, 400, 257,
-    428, 258, 457, 259, 487, 260, 518, 261, 550, 262, 583, 263, 617, 264, 652, 265, 688, 277,
-    348, 278, 374, 279, 401, 280, 429, 281, 458, 282, 488, 283, 519, 284, 551, 285, 584, 286,
-    618, 287, 653, 288, 689, 301, 349, 302, 375, 303, 402, 304, 430, 305, 459, 306, 489, 307,
-    520, 308, 552, 309, 585, 310, 619, 311, 654, 312, 690, 327, 352, 328, 379, 329, 407, 330,
-    436, 331, 466, 332, 497, 333, 529, 334, 562, 335, 596, 336, 631, 337, 667, 354, 380, 355,
-    408, 356, 437, 357, 467, 358, 498, 359, 530, 360, 563, 361, 597, 362, 632, 363, 668, 382,
-    409, 383, 438, 384, 468, 385, 499, 386, 531, 387, 564, 388, 598, 389, 633, 390, 669, 411,
-    439, 412, 469, 413, 500, 414, 532, 415, 565, 416, 599, 417, 634, 418, 670, 441, 470, 442,
-    501, 443, 533, 444, 566, 445, 600, 446, 635, 447, 671, 472, 502, 473, 534, 474, 567, 475,
-    601, 476, 636, 477, 672, 504, 535, 505, 568, 506, 602, 507, 637, 508, 673, 537, 569, 538,
-    603, 539, 638, 540, 674, 571, 604, 572, 639, 573, 675, 606, 640, 607, 676, 642, 677,
-};
-static const short alone[] = {
-    104, 118, 119, 133, 134, 135, 149, 150, 151, 152, 166, 167, 168, 169, 170, 184, 185, 186,
-    187, 188, 189, 203, 204, 205, 206, 207, 208, 209, 223, 224, 225, 226, 227, 228, 229, 230,
-    244, 245, 246, 247, 248, 249, 250, 251, 252, 266, 267, 268, 269, 270, 271, 272, 273, 274,
-    275, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 313, 314, 315, 316, 317, 318,
-    319, 320, 321, 322, 323, 324, 326, 353, 381, 410, 440, 471, 503, 536, 570, 605, 641, 678,
+/* vectors of the rows that have a mirror image after them, and of those alone */
+static const short lead[] = {
+    1, 1, 24, 1, 2, 1, 13, 1, 24, 2, 25, 2, 3, 1, 14, 1, 24, 3, 25, 3, 4, 1, 15, 1, 24, 4, 25,
+    4, 5, 1, 16, 1, 24, 5, 25, 5, 6, 1, 17, 1, 24, 6, 25, 6, 7, 1, 18, 1, 24, 7, 25, 7, 8, 1,
+    19, 1, 24, 8, 25, 8, 9, 1, 20, 1, 24, 9, 25, 9, 10, 1, 21, 1, 24, 10, 25, 10, 11, 1, 22, 1,
+    24, 11, 25, 11, 12, 1, 23, 1, 24, 12, 25, 12, 2, 2, 13, 2, 3, 2, 13, 3, 14, 2, 26, 3, 4, 2,
+    13, 4, 15, 2, 26, 4, 5, 2, 13, 5, 16, 2, 26, 5, 6, 2, 13, 6, 17, 2, 26, 6, 7, 2, 13, 7, 18,
+    2, 26, 7, 8, 2, 13, 8, 19, 2, 26, 8, 9, 2, 13, 9, 20, 2, 26, 9, 10, 2, 13, 10, 21, 2, 26,
+    10, 11, 2, 13, 11, 22, 2, 26, 11, 12, 2, 13, 12, 23, 2, 26, 12, 3, 3, 14, 3, 4, 3, 14, 4,
+    15, 3, 27, 4, 5, 3, 14, 5, 16, 3, 27, 5, 6, 3, 14, 6, 17, 3, 27, 6, 7, 3, 14, 7, 18, 3, 27,
+    7, 8, 3, 14, 8, 19, 3, 27, 8, 9, 3, 14, 9, 20, 3, 27, 9, 10, 3, 14, 10, 21, 3, 27, 10, 11,
+    3, 14, 11, 22, 3, 27, 11, 12, 3, 14, 12, 23, 3, 27, 12, 4, 4, 15, 4, 5, 4, 15, 5, 16, 4, 28,
+    5, 6, 4, 15, 6, 17, 4, 28, 6, 7, 4, 15, 7, 18, 4, 28, 7, 8, 4, 15, 8, 19, 4, 28, 8, 9, 4,
+    15, 9, 20, 4, 28, 9, 10, 4, 15, 10, 21, 4, 28, 10, 11, 4, 15, 11, 22, 4, 28, 11, 12, 4, 15,
+    12, 23, 4, 28, 12, 5, 5, 16, 5, 6, 5, 16, 6, 17, 5, 29, 6, 7, 5, 16, 7, 18, 5, 29, 7, 8, 5,
+    16, 8, 19, 5, 29, 8, 9, 5, 16, 9, 20, 5, 29, 9, 10, 5, 16, 10, 21, 5, 29, 10, 11, 5, 16, 11,
+    22, 5, 29, 11, 12, 5, 16, 12, 23, 5, 29, 12, 6, 6, 17, 6, 7, 6, 17, 7, 18, 6, 30, 7, 8, 6,
+    17, 8, 19, 6, 30, 8, 9, 6, 17, 9, 20, 6, 30, 9, 10, 6, 17, 10, 21, 6, 30, 10, 11, 6, 17, 11,
+    22, 6, 30, 11, 12, 6, 17, 12, 23, 6, 30, 12, 7, 7, 18, 7, 8, 7, 18, 8, 19, 7, 31, 8, 9, 7,
+    18, 9, 20, 7, 31, 9, 10, 7, 18, 10, 21, 7, 31, 10, 11, 7, 18, 11, 22, 7, 31, 11, 12, 7, 18,
+    12, 23, 7, 31, 12, 8, 8, 19, 8, 9, 8, 19, 9, 20, 8, 32, 9, 10, 8, 19, 10, 21, 8, 32, 10, 11,
+    8, 19, 11, 22, 8, 32, 11, 12, 8, 19, 12, 23, 8, 32, 12, 9, 9, 20, 9, 10, 9, 20, 10, 21, 9,
+    33, 10, 11, 9, 20, 11, 22, 9, 33, 11, 12, 9, 20, 12, 23, 9, 33, 12, 10, 10, 21, 10, 11, 10,
+    21, 11, 22, 10, 34, 11, 12, 10, 21, 12, 23, 10, 34, 12, 11, 11, 22, 11, 12, 11, 22, 12, 23,
+    11, 35, 12, 12, 12, 23, 12, 24, 24, 25, 1, 24, 13, 24, 14, 24, 15, 24, 16, 24, 17, 24, 18,
+    24, 19, 24, 20, 24, 21, 24, 22, 24, 23, 13, 13, 26, 2, 14, 13, 15, 13, 16, 13, 17, 13, 18,
+    13, 19, 13, 20, 13, 21, 13, 22, 13, 23, 13, 14, 14, 27, 3, 15, 14, 16, 14, 17, 14, 18, 14,
+    19, 14, 20, 14, 21, 14, 22, 14, 23, 14, 15, 15, 28, 4, 16, 15, 17, 15, 18, 15, 19, 15, 20,
+    15, 21, 15, 22, 15, 23, 15, 16, 16, 29, 5, 17, 16, 18, 16, 19, 16, 20, 16, 21, 16, 22, 16,
+    23, 16, 17, 17, 30, 6, 18, 17, 19, 17, 20, 17, 21, 17, 22, 17, 23, 17, 18, 18, 31, 7, 19,
+    18, 20, 18, 21, 18, 22, 18, 23, 18, 19, 19, 32, 8, 20, 19, 21, 19, 22, 19, 23, 19, 20, 20,
+    33, 9, 21, 20, 22, 20, 23, 20, 21, 21, 34, 10, 22, 21, 23, 21, 22, 22, 35, 11, 23, 22, 23,
+    23, 36, 12,
 };
 /* by symmetry: how many classes a row meets, and its own class times which */
 static const short merged[] = {
@@ -1323,7 +1314,11 @@ static const double *row_skew(const struct products *of, const double *H, int sy
 static void images(hobe_real *Q)
 {
     for (int o = 0; o < IMAGES; o++) {
-        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        hobe_real *a = Q + m, *b = Q + n;
         const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
         a[0] = sum;
         b[0] = difference;
@@ -1377,8 +1372,10 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
     for (int o = 0; o < IMAGES; o++) {
-        const int m = image[2 * o];
-        const int n = image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
         hobe_real s[6], r[3];
         for (int e = 0; e < 6; e++) {
             s[e] = sym[6 * m + e] + sym[6 * n + e];
@@ -1395,8 +1392,10 @@ static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *sk
         }
         block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
     }
-    for (int o = 0; o < ALONE; o++) {
-        const int m = alone[o];
+    for (int o = IMAGES; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
         block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
     }
 }
@@ -1579,13 +1578,12 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
-                         const hobe_real *x, hobe_real *T, hobe_real *scratch)
+                         const hobe_real *x, hobe_real *X, hobe_real *T)
 {
-    hobe_real B[3 * S], U[3 * S];
-    hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);
-    hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;
+    hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;
+    hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;
     const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
     const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
     section_vectors(N, Nx, x0, B);
@@ -1598,30 +1596,13 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
     for (int i = 0; i < 3 * S; i++) {
         B[i] += 0.5 * U[i];
     }
-    H = row_stress(sectional, H, inv->symmetry, X, Q);
+    H = row_stress(sectional, H, inv->symmetry, X, T);
     products(sectional, B, X, Z);
     H = row_symmetric(sectional, H, inv->symmetry, X, sym);
     row_skew(sectional, H, inv->symmetry, Z, skew);
     for (int i = 0; i < S; i++) {
         for (int a = 0; a < 3; a++) {
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-        for (int j = 0; j < i + 1; j++) {
-            const int r = hobe_pair(i, j);
-            T[10 * (j * S + i)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (j * S + i) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (j * S + i) + 7 + e] = zero - skew[3 * r + e];
-            }
-            T[10 * (i * S + j)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (i * S + j) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (i * S + j) + 7 + e] = skew[3 * r + e];
-            }
         }
     }
 }
@@ -1630,77 +1611,135 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
 static void even_and_odd(hobe_real *T, hobe_real *W)
 {
     for (int i = 0; i < S; i++) {
-        for (int j = 0; j < S; j++) {
-            hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);
+        for (int j = 0; j < i + 1; j++) {
+            const int r = hobe_pair(i, j);
             const int along = (i < M) == (j < M);
-            hobe_real *plus = along ? t : w, *minus = along ? w : t;
+            hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const hobe_real sum = t[e] + w[e], less = t[e] - w[e];
-                plus[e] = sum;
-                minus[e] = less;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
+                plus[at] = sum;
+                minus[at] = less;
             }
         }
     }
 }
 
-/* Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair
- * of mirror images what they share to the first, what they differ by to the other */
-static void expand(const double *weight, const hobe_real *even, const hobe_real *odd, hobe_real *Q,
-                   hobe_real *sym, hobe_real *skew)
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
+ * row and its mirror image the sum of what they share, then that of what they differ by */
+static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
+                         hobe_real *K)
 {
-    for (int v = OPPOSED; v < V; v++) {
-        for (int u = OPPOSED; u < v + 1; u++) {
-            const int r = hobe_pair(v, u);
-            const int a = nodal->mirror[v];
-            const int b = nodal->mirror[u];
-            const int other = symmetric(a, b) < r;
-            const int i = other ? larger(a, b) : v;
-            const int j = other ? a + b - i : u;
-            const int part = odd_of[v] ^ odd_of[u] ^ other;
-            const int turned = part ^ (a < b);
-            const int k = mode[i];
-            const int l = mode[j];
-            const int at = 10 * (k * S + l);
-            const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);
-            const double *c = w2 + 4 * part, *d = w2 + 4 * turned;
-            const hobe_real *t = part ? odd : even, *w = turned ? odd : even;
-            if (k == 0 && l == 0) {
-                Q[r] += c[0] * t[at];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e];
+    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
+    for (int o = 0; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        const int k = mode[v];
+        const int l = mode[u];
+        const int parts = 1 + (o < IMAGES);
+        const int p0 = symmetric(k, l);
+        const int p1 = symmetric(k, M - 1 + l);
+        const int p2 = symmetric(M - 1 + k, l);
+        const int p3 = symmetric(M - 1 + k, M - 1 + l);
+        const double side = k < l ? -1.0 : 1.0;
+        hobe_real x[20], y[10];
+        for (int z = 0; z < parts; z++) {
+            const int part = odd_of[v] ^ odd_of[u] ^ z;
+            const int turned = part ^ (nodal->mirror[v] < nodal->mirror[u]);
+            hobe_real s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero;
+            hobe_real s5 = zero, s6 = zero, s7 = zero, s8 = zero, s9 = zero;
+            for (int g = 0; g < last + 1; g++) {
+                const int image = inv->stations - 1 - g;
+                const hobe_real *t = T + 10 * GRAMS * (part ? image : g);
+                const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);
+                const double *c = inv->section + AXIAL * g + 4 * part +
+                                  8 * (A * axial_of[v] + axial_of[u]);
+                const double *d = c + 4 * (turned - part);
+                const double d0 = side * d[0], d1 = d[1], d2 = d[2], d3 = side * d[3];
+                s0 += c[0] * t[p0];
+                s1 += c[0] * t[GRAMS + 6 * p0 + 0];
+                s2 += c[0] * t[GRAMS + 6 * p0 + 1];
+                s3 += c[0] * t[GRAMS + 6 * p0 + 2];
+                s4 += c[0] * t[GRAMS + 6 * p0 + 3];
+                s5 += c[0] * t[GRAMS + 6 * p0 + 4];
+                s6 += c[0] * t[GRAMS + 6 * p0 + 5];
+                s7 += d0 * w[7 * GRAMS + 3 * p0 + 0];
+                s8 += d0 * w[7 * GRAMS + 3 * p0 + 1];
+                s9 += d0 * w[7 * GRAMS + 3 * p0 + 2];
+                if (l > 0) {
+                    s0 += c[1] * t[p1];
+                    s1 += c[1] * t[GRAMS + 6 * p1 + 0];
+                    s2 += c[1] * t[GRAMS + 6 * p1 + 1];
+                    s3 += c[1] * t[GRAMS + 6 * p1 + 2];
+                    s4 += c[1] * t[GRAMS + 6 * p1 + 3];
+                    s5 += c[1] * t[GRAMS + 6 * p1 + 4];
+                    s6 += c[1] * t[GRAMS + 6 * p1 + 5];
+                    s7 -= d1 * w[7 * GRAMS + 3 * p1 + 0];
+                    s8 -= d1 * w[7 * GRAMS + 3 * p1 + 1];
+                    s9 -= d1 * w[7 * GRAMS + 3 * p1 + 2];
                 }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e];
+                if (k > 0) {
+                    s0 += c[2] * t[p2];
+                    s1 += c[2] * t[GRAMS + 6 * p2 + 0];
+                    s2 += c[2] * t[GRAMS + 6 * p2 + 1];
+                    s3 += c[2] * t[GRAMS + 6 * p2 + 2];
+                    s4 += c[2] * t[GRAMS + 6 * p2 + 3];
+                    s5 += c[2] * t[GRAMS + 6 * p2 + 4];
+                    s6 += c[2] * t[GRAMS + 6 * p2 + 5];
+                    s7 += d2 * w[7 * GRAMS + 3 * p2 + 0];
+                    s8 += d2 * w[7 * GRAMS + 3 * p2 + 1];
+                    s9 += d2 * w[7 * GRAMS + 3 * p2 + 2];
+                }
+                if (k > 0 && l > 0) {
+                    s0 += c[3] * t[p3];
+                    s1 += c[3] * t[GRAMS + 6 * p3 + 0];
+                    s2 += c[3] * t[GRAMS + 6 * p3 + 1];
+                    s3 += c[3] * t[GRAMS + 6 * p3 + 2];
+                    s4 += c[3] * t[GRAMS + 6 * p3 + 3];
+                    s5 += c[3] * t[GRAMS + 6 * p3 + 4];
+                    s6 += c[3] * t[GRAMS + 6 * p3 + 5];
+                    s7 += d3 * w[7 * GRAMS + 3 * p3 + 0];
+                    s8 += d3 * w[7 * GRAMS + 3 * p3 + 1];
+                    s9 += d3 * w[7 * GRAMS + 3 * p3 + 2];
                 }
             }
-            if (k == 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e];
-                }
-            }
-            if (k > 0 && l == 0) {
-                Q[r] += c[0] * t[at] + c[2] * t[at + FIRST];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[2] * t[at + FIRST + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[2] * w[at + FIRST + 7 + e];
-                }
-            }
-            if (k > 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND] + c[2] * t[at + FIRST] + c[3] * t[at + FIRST + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e] + c[2] * t[at + FIRST + 1 + e] + c[3] * t[at + FIRST + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e] + d[2] * w[at + FIRST + 7 + e] + d[3] * w[at + FIRST + SECOND + 7 + e];
+            x[10 * z + 0] = s0;
+            x[10 * z + 1] = s1;
+            x[10 * z + 2] = s2;
+            x[10 * z + 3] = s3;
+            x[10 * z + 4] = s4;
+            x[10 * z + 5] = s5;
+            x[10 * z + 6] = s6;
+            x[10 * z + 7] = s7;
+            x[10 * z + 8] = s8;
+            x[10 * z + 9] = s9;
+            if (v == u) {
+                for (int a = 0; a < 3; a++) {
+                    x[10 * z + 7 + a] = zero;
                 }
             }
         }
+        if (parts == 1) {
+            Q[m] = x[0];
+            block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
+        }
+        if (parts == 2) {
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] + x[10 + e];
+            }
+            Q[m] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] - x[10 + e];
+            }
+            Q[n] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
+        }
+    }
+    if (OPPOSED) {
+        opposed_blocks(K);
     }
 }
 
@@ -1708,32 +1747,23 @@ static void expand(const double *weight, const hobe_real *even, const hobe_real 
 static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
                          const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
 {
-    hobe_real x0[3 * V], x[3 * V];
-    hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;
-    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;
+    hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;
+    hobe_real *T = X + 9 * GRAMS - 3 * S;
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 10 * BLOCKS; i++) {
-        Q[i] = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
     }
-    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
-    for (int g = 0; g < last + 1; g++) {
-        const int other = MIRRORED ? inv->stations - 1 - g : g;
-        station_rows(inv, g, x0, x, T, rest);
-        if (other != g) {
-            station_rows(inv, other, x0, x, W, rest);
-            even_and_odd(T, W);
-        }
-        const hobe_real *odd = other == g ? T : W;
-        expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);
+    const int couples = MIRRORED ? inv->stations / 2 : 0;
+    for (int g = 0; g < couples; g++) {
+        even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));
     }
+    nodal_blocks(inv, T, Q, K);
     /* D = D0 + U */
     for (int i = 0; i < 3 * V; i++) {
         x[i] += x0[i];
     }
-    images(Q);
     tensor_force(Q, x, f);
-    finish(Q, sym, skew, K);
 }
 
 /* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
@@ -1958,9 +1988,9 @@ static const char *const function_name[] = {
     "w", "wy", "wz", "ww", "w1", "v1y", "v1z", "v2y", "v2z",
 };
 static const struct hobe_plan_cost section_cost[HOBE_SYMMETRIES] = {
-    {799812, 7496761, 216361}, {419652, 3877321, 108385}, {421812, 3890641, 108757},
-    {230652, 2074261, 54583}, {421812, 3890641, 108757}, {230652, 2074261, 54583},
-    {238132, 2131121, 56229}, {138812, 1194501, 28319},
+    {799812, 7482519, 216361}, {419652, 3863079, 108385}, {421812, 3876399, 108757},
+    {230652, 2060019, 54583}, {421812, 3876399, 108757}, {230652, 2060019, 54583},
+    {238132, 2116879, 56229}, {138812, 1180259, 28319},
 };
 static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
     {0, 0, 0}, {464749, 4376761, 647142}, {0, 0, 0}, {241645, 2218297, 324582}, {0, 0, 0},
@@ -1983,8 +2013,8 @@ const struct hobe_kernel HOBE_KERNEL(MGD30d) = {
     .normals = NN,
     .shears = NS,
     .flops_force = 419652,
-    .flops_tangent = 3877321,
-    .scratch = 22785,
+    .flops_tangent = 3863079,
+    .scratch = 22438,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,

@@ -8,15 +8,15 @@
  *     v2z@1 w2@1 w2t@1 v3y@1 v3z@1 w3@1 y@2 z@2 w@2 wy@2 wz@2 ww@2 w1@2 v1y@2 v1z@2 v2y@2
  *     v2z@2 w2@2 w2t@2 v3y@2 v3z@2 w3@2 1@3 1'@3 y@3 z@3 w@3 wy@3 wz@3 ww@3 w1@3 v1y@3 v1z@3
  *     v2y@3 v2z@3 w2@3 w2t@3 v3y@3 v3z@3 w3@3
- * operations per element: force 1648577, force and tangent 15705756, energy 1617537
- * from station to station, symmetric in nothing: force 3220737, force and tangent 30888796
- * from station to station, symmetric in x: force 1648577, force and tangent 15705756
- * from station to station, symmetric in y: force 1649337, force and tangent 15709396
- * from station to station, symmetric in x y: force 862877, force and tangent 8116056
- * from station to station, symmetric in z: force 1649337, force and tangent 15709396
- * from station to station, symmetric in x z: force 862877, force and tangent 8116056
- * from station to station, symmetric in y z: force 866737, force and tangent 8140796
- * from station to station, symmetric in x y z: force 471577, force and tangent 4331756
+ * operations per element: force 1648577, force and tangent 15676239, energy 1617537
+ * from station to station, symmetric in nothing: force 3220737, force and tangent 30859279
+ * from station to station, symmetric in x: force 1648577, force and tangent 15676239
+ * from station to station, symmetric in y: force 1649337, force and tangent 15679879
+ * from station to station, symmetric in x y: force 862877, force and tangent 8086539
+ * from station to station, symmetric in z: force 1649337, force and tangent 15679879
+ * from station to station, symmetric in x z: force 862877, force and tangent 8086539
+ * from station to station, symmetric in y z: force 866737, force and tangent 8111279
+ * from station to station, symmetric in x y z: force 471577, force and tangent 4302239
  * as one tensor, symmetric in x: force 1809919, force and tangent 17431561
  * as one tensor, symmetric in x y: force 922159, force and tangent 8768773
  * as one tensor, symmetric in x z: force 922159, force and tangent 8768773
@@ -524,8 +524,6 @@ enum {
     MIRRORED = 1,      /* whether there are mirror images */
     GRAMS = 561,       /* pairs of section vectors */
     AXIAL = 392,       /* weights of a station for axial functions */
-    FIRST = 5280,      /* from the numbers of (k', l') to those of (k, l') among rows of section vectors */
-    SECOND = 160,      /* to those of (k', l) */
     MOST_PAIRS = 1326, /* of either kind */
 };
 
@@ -567,87 +565,70 @@ static const double share[] = {
     1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
     1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
 };
-/* pairs of rows that are images, and rows that are their own */
-static const short image[] = {
-    2, 665, 4, 701, 5, 702, 7, 738, 8, 739, 9, 740, 11, 776, 12, 777, 13, 778, 14, 779, 16, 815,
-    17, 816, 18, 817, 19, 818, 20, 819, 22, 855, 23, 856, 24, 857, 25, 858, 26, 859, 27, 860,
-    29, 896, 30, 897, 31, 898, 32, 899, 33, 900, 34, 901, 35, 902, 37, 938, 38, 939, 39, 940,
-    40, 941, 41, 942, 42, 943, 43, 944, 44, 945, 46, 981, 47, 982, 48, 983, 49, 984, 50, 985,
-    51, 986, 52, 987, 53, 988, 54, 989, 56, 1025, 57, 1026, 58, 1027, 59, 1028, 60, 1029, 61,
-    1030, 62, 1031, 63, 1032, 64, 1033, 65, 1034, 67, 1070, 68, 1071, 69, 1072, 70, 1073, 71,
-    1074, 72, 1075, 73, 1076, 74, 1077, 75, 1078, 76, 1079, 77, 1080, 79, 1116, 80, 1117, 81,
-    1118, 82, 1119, 83, 1120, 84, 1121, 85, 1122, 86, 1123, 87, 1124, 88, 1125, 89, 1126, 90,
-    1127, 92, 1163, 93, 1164, 94, 1165, 95, 1166, 96, 1167, 97, 1168, 98, 1169, 99, 1170, 100,
-    1171, 101, 1172, 102, 1173, 103, 1174, 104, 1175, 106, 1211, 107, 1212, 108, 1213, 109,
-    1214, 110, 1215, 111, 1216, 112, 1217, 113, 1218, 114, 1219, 115, 1220, 116, 1221, 117,
-    1222, 118, 1223, 119, 1224, 121, 1260, 122, 1261, 123, 1262, 124, 1263, 125, 1264, 126,
-    1265, 127, 1266, 128, 1267, 129, 1268, 130, 1269, 131, 1270, 132, 1271, 133, 1272, 134,
-    1273, 135, 1274, 137, 1310, 138, 1311, 139, 1312, 140, 1313, 141, 1314, 142, 1315, 143,
-    1316, 144, 1317, 145, 1318, 146, 1319, 147, 1320, 148, 1321, 149, 1322, 150, 1323, 151,
-    1324, 152, 1325, 154, 1361, 155, 1362, 156, 1363, 157, 1364, 158, 1365, 159, 1366, 160,
-    1367, 161, 1368, 162, 1369, 163, 1370, 164, 1371, 165, 1372, 166, 1373, 167, 1374, 168,
-    1375, 169, 1376, 170, 1377, 172, 648, 173, 684, 174, 721, 175, 759, 176, 798, 177, 838, 178,
-    879, 179, 921, 180, 964, 181, 1008, 182, 1053, 183, 1099, 184, 1146, 185, 1194, 186, 1243,
-    187, 1293, 188, 1344, 191, 649, 192, 685, 193, 722, 194, 760, 195, 799, 196, 839, 197, 880,
-    198, 922, 199, 965, 200, 1009, 201, 1054, 202, 1100, 203, 1147, 204, 1195, 205, 1244, 206,
-    1294, 207, 1345, 211, 650, 212, 686, 213, 723, 214, 761, 215, 800, 216, 840, 217, 881, 218,
-    923, 219, 966, 220, 1010, 221, 1055, 222, 1101, 223, 1148, 224, 1196, 225, 1245, 226, 1295,
-    227, 1346, 232, 651, 233, 687, 234, 724, 235, 762, 236, 801, 237, 841, 238, 882, 239, 924,
-    240, 967, 241, 1011, 242, 1056, 243, 1102, 244, 1149, 245, 1197, 246, 1246, 247, 1296, 248,
-    1347, 254, 652, 255, 688, 256, 725, 257, 763, 258, 802, 259, 842, 260, 883, 261, 925, 262,
-    968, 263, 1012, 264, 1057, 265, 1103, 266, 1150, 267, 1198, 268, 1247, 269, 1297, 270, 1348,
-    277, 653, 278, 689, 279, 726, 280, 764, 281, 803, 282, 843, 283, 884, 284, 926, 285, 969,
-    286, 1013, 287, 1058, 288, 1104, 289, 1151, 290, 1199, 291, 1248, 292, 1298, 293, 1349, 301,
-    654, 302, 690, 303, 727, 304, 765, 305, 804, 306, 844, 307, 885, 308, 927, 309, 970, 310,
-    1014, 311, 1059, 312, 1105, 313, 1152, 314, 1200, 315, 1249, 316, 1299, 317, 1350, 326, 655,
-    327, 691, 328, 728, 329, 766, 330, 805, 331, 845, 332, 886, 333, 928, 334, 971, 335, 1015,
-    336, 1060, 337, 1106, 338, 1153, 339, 1201, 340, 1250, 341, 1300, 342, 1351, 352, 656, 353,
-    692, 354, 729, 355, 767, 356, 806, 357, 846, 358, 887, 359, 929, 360, 972, 361, 1016, 362,
-    1061, 363, 1107, 364, 1154, 365, 1202, 366, 1251, 367, 1301, 368, 1352, 379, 657, 380, 693,
-    381, 730, 382, 768, 383, 807, 384, 847, 385, 888, 386, 930, 387, 973, 388, 1017, 389, 1062,
-    390, 1108, 391, 1155, 392, 1203, 393, 1252, 394, 1302, 395, 1353, 407, 658, 408, 694, 409,
-    731, 410, 769, 411, 808, 412, 848, 413, 889, 414, 931, 415, 974, 416, 1018, 417, 1063, 418,
-    1109, 419, 1156, 420, 1204, 421, 1253, 422, 1303, 423, 1354, 436, 659, 437, 695, 438, 732,
-    439, 770, 440, 809, 441, 849, 442, 890, 443, 932, 444, 975, 445, 1019, 446, 1064, 447, 1110,
-    448, 1157, 449, 1205, 450, 1254, 451, 1304, 452, 1355, 466, 660, 467, 696, 468, 733, 469,
-    771, 470, 810, 471, 850, 472, 891, 473, 933, 474, 976, 475, 1020, 476, 1065, 477, 1111, 478,
-    1158, 479, 1206, 480, 1255, 481, 1305, 482, 1356, 497, 661, 498, 697, 499, 734, 500, 772,
-    501, 811, 502, 851, 503, 892, 504, 934, 505, 977, 506, 1021, 507, 1066, 508, 1112, 509,
-    1159, 510, 1207, 511, 1256, 512, 1306, 513, 1357, 529, 662, 530, 698, 531, 735, 532, 773,
-    533, 812, 534, 852, 535, 893, 536, 935, 537, 978, 538, 1022, 539, 1067, 540, 1113, 541,
-    1160, 542, 1208, 543, 1257, 544, 1307, 545, 1358, 562, 663, 563, 699, 564, 736, 565, 774,
-    566, 813, 567, 853, 568, 894, 569, 936, 570, 979, 571, 1023, 572, 1068, 573, 1114, 574,
-    1161, 575, 1209, 576, 1258, 577, 1308, 578, 1359, 596, 664, 597, 700, 598, 737, 599, 775,
-    600, 814, 601, 854, 602, 895, 603, 937, 604, 980, 605, 1024, 606, 1069, 607, 1115, 608,
-    1162, 609, 1210, 610, 1259, 611, 1309, 612, 1360, 632, 667, 633, 704, 634, 742, 635, 781,
-    636, 821, 637, 862, 638, 904, 639, 947, 640, 991, 641, 1036, 642, 1082, 643, 1129, 644,
-    1177, 645, 1226, 646, 1276, 647, 1327, 669, 705, 670, 743, 671, 782, 672, 822, 673, 863,
-    674, 905, 675, 948, 676, 992, 677, 1037, 678, 1083, 679, 1130, 680, 1178, 681, 1227, 682,
-    1277, 683, 1328, 707, 744, 708, 783, 709, 823, 710, 864, 711, 906, 712, 949, 713, 993, 714,
-    1038, 715, 1084, 716, 1131, 717, 1179, 718, 1228, 719, 1278, 720, 1329, 746, 784, 747, 824,
-    748, 865, 749, 907, 750, 950, 751, 994, 752, 1039, 753, 1085, 754, 1132, 755, 1180, 756,
-    1229, 757, 1279, 758, 1330, 786, 825, 787, 866, 788, 908, 789, 951, 790, 995, 791, 1040,
-    792, 1086, 793, 1133, 794, 1181, 795, 1230, 796, 1280, 797, 1331, 827, 867, 828, 909, 829,
-    952, 830, 996, 831, 1041, 832, 1087, 833, 1134, 834, 1182, 835, 1231, 836, 1281, 837, 1332,
-    869, 910, 870, 953, 871, 997, 872, 1042, 873, 1088, 874, 1135, 875, 1183, 876, 1232, 877,
-    1282, 878, 1333, 912, 954, 913, 998, 914, 1043, 915, 1089, 916, 1136, 917, 1184, 918, 1233,
-    919, 1283, 920, 1334, 956, 999, 957, 1044, 958, 1090, 959, 1137, 960, 1185, 961, 1234, 962,
-    1284, 963, 1335, 1001, 1045, 1002, 1091, 1003, 1138, 1004, 1186, 1005, 1235, 1006, 1285,
-    1007, 1336, 1047, 1092, 1048, 1139, 1049, 1187, 1050, 1236, 1051, 1286, 1052, 1337, 1094,
-    1140, 1095, 1188, 1096, 1237, 1097, 1287, 1098, 1338, 1142, 1189, 1143, 1238, 1144, 1288,
-    1145, 1339, 1191, 1239, 1192, 1289, 1193, 1340, 1241, 1290, 1242, 1341, 1292, 1342,
-};
-static const short alone[] = {
-    189, 208, 209, 228, 229, 230, 249, 250, 251, 252, 271, 272, 273, 274, 275, 294, 295, 296,
-    297, 298, 299, 318, 319, 320, 321, 322, 323, 324, 343, 344, 345, 346, 347, 348, 349, 350,
-    369, 370, 371, 372, 373, 374, 375, 376, 377, 396, 397, 398, 399, 400, 401, 402, 403, 404,
-    405, 424, 425, 426, 427, 428, 429, 430, 431, 432, 433, 434, 453, 454, 455, 456, 457, 458,
-    459, 460, 461, 462, 463, 464, 483, 484, 485, 486, 487, 488, 489, 490, 491, 492, 493, 494,
-    495, 514, 515, 516, 517, 518, 519, 520, 521, 522, 523, 524, 525, 526, 527, 546, 547, 548,
-    549, 550, 551, 552, 553, 554, 555, 556, 557, 558, 559, 560, 579, 580, 581, 582, 583, 584,
-    585, 586, 587, 588, 589, 590, 591, 592, 593, 594, 613, 614, 615, 616, 617, 618, 619, 620,
-    621, 622, 623, 624, 625, 626, 627, 628, 629, 631, 668, 706, 745, 785, 826, 868, 911, 955,
-    1000, 1046, 1093, 1141, 1190, 1240, 1291, 1343,
+/* vectors of the rows that have a mirror image after them, and of those alone */
+static const short lead[] = {
+    1, 1, 34, 1, 2, 1, 18, 1, 34, 2, 35, 2, 3, 1, 19, 1, 34, 3, 35, 3, 4, 1, 20, 1, 34, 4, 35,
+    4, 5, 1, 21, 1, 34, 5, 35, 5, 6, 1, 22, 1, 34, 6, 35, 6, 7, 1, 23, 1, 34, 7, 35, 7, 8, 1,
+    24, 1, 34, 8, 35, 8, 9, 1, 25, 1, 34, 9, 35, 9, 10, 1, 26, 1, 34, 10, 35, 10, 11, 1, 27, 1,
+    34, 11, 35, 11, 12, 1, 28, 1, 34, 12, 35, 12, 13, 1, 29, 1, 34, 13, 35, 13, 14, 1, 30, 1,
+    34, 14, 35, 14, 15, 1, 31, 1, 34, 15, 35, 15, 16, 1, 32, 1, 34, 16, 35, 16, 17, 1, 33, 1,
+    34, 17, 35, 17, 2, 2, 18, 2, 3, 2, 18, 3, 19, 2, 36, 3, 4, 2, 18, 4, 20, 2, 36, 4, 5, 2, 18,
+    5, 21, 2, 36, 5, 6, 2, 18, 6, 22, 2, 36, 6, 7, 2, 18, 7, 23, 2, 36, 7, 8, 2, 18, 8, 24, 2,
+    36, 8, 9, 2, 18, 9, 25, 2, 36, 9, 10, 2, 18, 10, 26, 2, 36, 10, 11, 2, 18, 11, 27, 2, 36,
+    11, 12, 2, 18, 12, 28, 2, 36, 12, 13, 2, 18, 13, 29, 2, 36, 13, 14, 2, 18, 14, 30, 2, 36,
+    14, 15, 2, 18, 15, 31, 2, 36, 15, 16, 2, 18, 16, 32, 2, 36, 16, 17, 2, 18, 17, 33, 2, 36,
+    17, 3, 3, 19, 3, 4, 3, 19, 4, 20, 3, 37, 4, 5, 3, 19, 5, 21, 3, 37, 5, 6, 3, 19, 6, 22, 3,
+    37, 6, 7, 3, 19, 7, 23, 3, 37, 7, 8, 3, 19, 8, 24, 3, 37, 8, 9, 3, 19, 9, 25, 3, 37, 9, 10,
+    3, 19, 10, 26, 3, 37, 10, 11, 3, 19, 11, 27, 3, 37, 11, 12, 3, 19, 12, 28, 3, 37, 12, 13, 3,
+    19, 13, 29, 3, 37, 13, 14, 3, 19, 14, 30, 3, 37, 14, 15, 3, 19, 15, 31, 3, 37, 15, 16, 3,
+    19, 16, 32, 3, 37, 16, 17, 3, 19, 17, 33, 3, 37, 17, 4, 4, 20, 4, 5, 4, 20, 5, 21, 4, 38, 5,
+    6, 4, 20, 6, 22, 4, 38, 6, 7, 4, 20, 7, 23, 4, 38, 7, 8, 4, 20, 8, 24, 4, 38, 8, 9, 4, 20,
+    9, 25, 4, 38, 9, 10, 4, 20, 10, 26, 4, 38, 10, 11, 4, 20, 11, 27, 4, 38, 11, 12, 4, 20, 12,
+    28, 4, 38, 12, 13, 4, 20, 13, 29, 4, 38, 13, 14, 4, 20, 14, 30, 4, 38, 14, 15, 4, 20, 15,
+    31, 4, 38, 15, 16, 4, 20, 16, 32, 4, 38, 16, 17, 4, 20, 17, 33, 4, 38, 17, 5, 5, 21, 5, 6,
+    5, 21, 6, 22, 5, 39, 6, 7, 5, 21, 7, 23, 5, 39, 7, 8, 5, 21, 8, 24, 5, 39, 8, 9, 5, 21, 9,
+    25, 5, 39, 9, 10, 5, 21, 10, 26, 5, 39, 10, 11, 5, 21, 11, 27, 5, 39, 11, 12, 5, 21, 12, 28,
+    5, 39, 12, 13, 5, 21, 13, 29, 5, 39, 13, 14, 5, 21, 14, 30, 5, 39, 14, 15, 5, 21, 15, 31, 5,
+    39, 15, 16, 5, 21, 16, 32, 5, 39, 16, 17, 5, 21, 17, 33, 5, 39, 17, 6, 6, 22, 6, 7, 6, 22,
+    7, 23, 6, 40, 7, 8, 6, 22, 8, 24, 6, 40, 8, 9, 6, 22, 9, 25, 6, 40, 9, 10, 6, 22, 10, 26, 6,
+    40, 10, 11, 6, 22, 11, 27, 6, 40, 11, 12, 6, 22, 12, 28, 6, 40, 12, 13, 6, 22, 13, 29, 6,
+    40, 13, 14, 6, 22, 14, 30, 6, 40, 14, 15, 6, 22, 15, 31, 6, 40, 15, 16, 6, 22, 16, 32, 6,
+    40, 16, 17, 6, 22, 17, 33, 6, 40, 17, 7, 7, 23, 7, 8, 7, 23, 8, 24, 7, 41, 8, 9, 7, 23, 9,
+    25, 7, 41, 9, 10, 7, 23, 10, 26, 7, 41, 10, 11, 7, 23, 11, 27, 7, 41, 11, 12, 7, 23, 12, 28,
+    7, 41, 12, 13, 7, 23, 13, 29, 7, 41, 13, 14, 7, 23, 14, 30, 7, 41, 14, 15, 7, 23, 15, 31, 7,
+    41, 15, 16, 7, 23, 16, 32, 7, 41, 16, 17, 7, 23, 17, 33, 7, 41, 17, 8, 8, 24, 8, 9, 8, 24,
+    9, 25, 8, 42, 9, 10, 8, 24, 10, 26, 8, 42, 10, 11, 8, 24, 11, 27, 8, 42, 11, 12, 8, 24, 12,
+    28, 8, 42, 12, 13, 8, 24, 13, 29, 8, 42, 13, 14, 8, 24, 14, 30, 8, 42, 14, 15, 8, 24, 15,
+    31, 8, 42, 15, 16, 8, 24, 16, 32, 8, 42, 16, 17, 8, 24, 17, 33, 8, 42, 17, 9, 9, 25, 9, 10,
+    9, 25, 10, 26, 9, 43, 10, 11, 9, 25, 11, 27, 9, 43, 11, 12, 9, 25, 12, 28, 9, 43, 12, 13, 9,
+    25, 13, 29, 9, 43, 13, 14, 9, 25, 14, 30, 9, 43, 14, 15, 9, 25, 15, 31, 9, 43, 15, 16, 9,
+    25, 16, 32, 9, 43, 16, 17, 9, 25, 17, 33, 9, 43, 17, 10, 10, 26, 10, 11, 10, 26, 11, 27, 10,
+    44, 11, 12, 10, 26, 12, 28, 10, 44, 12, 13, 10, 26, 13, 29, 10, 44, 13, 14, 10, 26, 14, 30,
+    10, 44, 14, 15, 10, 26, 15, 31, 10, 44, 15, 16, 10, 26, 16, 32, 10, 44, 16, 17, 10, 26, 17,
+    33, 10, 44, 17, 11, 11, 27, 11, 12, 11, 27, 12, 28, 11, 45, 12, 13, 11, 27, 13, 29, 11, 45,
+    13, 14, 11, 27, 14, 30, 11, 45, 14, 15, 11, 27, 15, 31, 11, 45, 15, 16, 11, 27, 16, 32, 11,
+    45, 16, 17, 11, 27, 17, 33, 11, 45, 17, 12, 12, 28, 12, 13, 12, 28, 13, 29, 12, 46, 13, 14,
+    12, 28, 14, 30, 12, 46, 14, 15, 12, 28, 15, 31, 12, 46, 15, 16, 12, 28, 16, 32, 12, 46, 16,
+    17, 12, 28, 17, 33, 12, 46, 17, 13, 13, 29, 13, 14, 13, 29, 14, 30, 13, 47, 14, 15, 13, 29,
+    15, 31, 13, 47, 15, 16, 13, 29, 16, 32, 13, 47, 16, 17, 13, 29, 17, 33, 13, 47, 17, 14, 14,
+    30, 14, 15, 14, 30, 15, 31, 14, 48, 15, 16, 14, 30, 16, 32, 14, 48, 16, 17, 14, 30, 17, 33,
+    14, 48, 17, 15, 15, 31, 15, 16, 15, 31, 16, 32, 15, 49, 16, 17, 15, 31, 17, 33, 15, 49, 17,
+    16, 16, 32, 16, 17, 16, 32, 17, 33, 16, 50, 17, 17, 17, 33, 17, 34, 34, 35, 1, 34, 18, 34,
+    19, 34, 20, 34, 21, 34, 22, 34, 23, 34, 24, 34, 25, 34, 26, 34, 27, 34, 28, 34, 29, 34, 30,
+    34, 31, 34, 32, 34, 33, 18, 18, 36, 2, 19, 18, 20, 18, 21, 18, 22, 18, 23, 18, 24, 18, 25,
+    18, 26, 18, 27, 18, 28, 18, 29, 18, 30, 18, 31, 18, 32, 18, 33, 18, 19, 19, 37, 3, 20, 19,
+    21, 19, 22, 19, 23, 19, 24, 19, 25, 19, 26, 19, 27, 19, 28, 19, 29, 19, 30, 19, 31, 19, 32,
+    19, 33, 19, 20, 20, 38, 4, 21, 20, 22, 20, 23, 20, 24, 20, 25, 20, 26, 20, 27, 20, 28, 20,
+    29, 20, 30, 20, 31, 20, 32, 20, 33, 20, 21, 21, 39, 5, 22, 21, 23, 21, 24, 21, 25, 21, 26,
+    21, 27, 21, 28, 21, 29, 21, 30, 21, 31, 21, 32, 21, 33, 21, 22, 22, 40, 6, 23, 22, 24, 22,
+    25, 22, 26, 22, 27, 22, 28, 22, 29, 22, 30, 22, 31, 22, 32, 22, 33, 22, 23, 23, 41, 7, 24,
+    23, 25, 23, 26, 23, 27, 23, 28, 23, 29, 23, 30, 23, 31, 23, 32, 23, 33, 23, 24, 24, 42, 8,
+    25, 24, 26, 24, 27, 24, 28, 24, 29, 24, 30, 24, 31, 24, 32, 24, 33, 24, 25, 25, 43, 9, 26,
+    25, 27, 25, 28, 25, 29, 25, 30, 25, 31, 25, 32, 25, 33, 25, 26, 26, 44, 10, 27, 26, 28, 26,
+    29, 26, 30, 26, 31, 26, 32, 26, 33, 26, 27, 27, 45, 11, 28, 27, 29, 27, 30, 27, 31, 27, 32,
+    27, 33, 27, 28, 28, 46, 12, 29, 28, 30, 28, 31, 28, 32, 28, 33, 28, 29, 29, 47, 13, 30, 29,
+    31, 29, 32, 29, 33, 29, 30, 30, 48, 14, 31, 30, 32, 30, 33, 30, 31, 31, 49, 15, 32, 31, 33,
+    31, 32, 32, 50, 16, 33, 32, 33, 33, 51, 17,
 };
 /* by symmetry: how many classes a row meets, and its own class times which */
 static const short merged[] = {
@@ -1584,7 +1565,11 @@ static const double *row_skew(const struct products *of, const double *H, int sy
 static void images(hobe_real *Q)
 {
     for (int o = 0; o < IMAGES; o++) {
-        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        hobe_real *a = Q + m, *b = Q + n;
         const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
         a[0] = sum;
         b[0] = difference;
@@ -1638,8 +1623,10 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
     for (int o = 0; o < IMAGES; o++) {
-        const int m = image[2 * o];
-        const int n = image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
         hobe_real s[6], r[3];
         for (int e = 0; e < 6; e++) {
             s[e] = sym[6 * m + e] + sym[6 * n + e];
@@ -1656,8 +1643,10 @@ static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *sk
         }
         block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
     }
-    for (int o = 0; o < ALONE; o++) {
-        const int m = alone[o];
+    for (int o = IMAGES; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
         block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
     }
 }
@@ -1840,13 +1829,12 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
-                         const hobe_real *x, hobe_real *T, hobe_real *scratch)
+                         const hobe_real *x, hobe_real *X, hobe_real *T)
 {
-    hobe_real B[3 * S], U[3 * S];
-    hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);
-    hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;
+    hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;
+    hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;
     const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
     const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
     section_vectors(N, Nx, x0, B);
@@ -1859,30 +1847,13 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
     for (int i = 0; i < 3 * S; i++) {
         B[i] += 0.5 * U[i];
     }
-    H = row_stress(sectional, H, inv->symmetry, X, Q);
+    H = row_stress(sectional, H, inv->symmetry, X, T);
     products(sectional, B, X, Z);
     H = row_symmetric(sectional, H, inv->symmetry, X, sym);
     row_skew(sectional, H, inv->symmetry, Z, skew);
     for (int i = 0; i < S; i++) {
         for (int a = 0; a < 3; a++) {
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-        for (int j = 0; j < i + 1; j++) {
-            const int r = hobe_pair(i, j);
-            T[10 * (j * S + i)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (j * S + i) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (j * S + i) + 7 + e] = zero - skew[3 * r + e];
-            }
-            T[10 * (i * S + j)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (i * S + j) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (i * S + j) + 7 + e] = skew[3 * r + e];
-            }
         }
     }
 }
@@ -1891,77 +1862,135 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
 static void even_and_odd(hobe_real *T, hobe_real *W)
 {
     for (int i = 0; i < S; i++) {
-        for (int j = 0; j < S; j++) {
-            hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);
+        for (int j = 0; j < i + 1; j++) {
+            const int r = hobe_pair(i, j);
             const int along = (i < M) == (j < M);
-            hobe_real *plus = along ? t : w, *minus = along ? w : t;
+            hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const hobe_real sum = t[e] + w[e], less = t[e] - w[e];
-                plus[e] = sum;
-                minus[e] = less;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
+                plus[at] = sum;
+                minus[at] = less;
             }
         }
     }
 }
 
-/* Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair
- * of mirror images what they share to the first, what they differ by to the other */
-static void expand(const double *weight, const hobe_real *even, const hobe_real *odd, hobe_real *Q,
-                   hobe_real *sym, hobe_real *skew)
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
+ * row and its mirror image the sum of what they share, then that of what they differ by */
+static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
+                         hobe_real *K)
 {
-    for (int v = OPPOSED; v < V; v++) {
-        for (int u = OPPOSED; u < v + 1; u++) {
-            const int r = hobe_pair(v, u);
-            const int a = nodal->mirror[v];
-            const int b = nodal->mirror[u];
-            const int other = symmetric(a, b) < r;
-            const int i = other ? larger(a, b) : v;
-            const int j = other ? a + b - i : u;
-            const int part = odd_of[v] ^ odd_of[u] ^ other;
-            const int turned = part ^ (a < b);
-            const int k = mode[i];
-            const int l = mode[j];
-            const int at = 10 * (k * S + l);
-            const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);
-            const double *c = w2 + 4 * part, *d = w2 + 4 * turned;
-            const hobe_real *t = part ? odd : even, *w = turned ? odd : even;
-            if (k == 0 && l == 0) {
-                Q[r] += c[0] * t[at];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e];
+    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
+    for (int o = 0; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        const int k = mode[v];
+        const int l = mode[u];
+        const int parts = 1 + (o < IMAGES);
+        const int p0 = symmetric(k, l);
+        const int p1 = symmetric(k, M - 1 + l);
+        const int p2 = symmetric(M - 1 + k, l);
+        const int p3 = symmetric(M - 1 + k, M - 1 + l);
+        const double side = k < l ? -1.0 : 1.0;
+        hobe_real x[20], y[10];
+        for (int z = 0; z < parts; z++) {
+            const int part = odd_of[v] ^ odd_of[u] ^ z;
+            const int turned = part ^ (nodal->mirror[v] < nodal->mirror[u]);
+            hobe_real s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero;
+            hobe_real s5 = zero, s6 = zero, s7 = zero, s8 = zero, s9 = zero;
+            for (int g = 0; g < last + 1; g++) {
+                const int image = inv->stations - 1 - g;
+                const hobe_real *t = T + 10 * GRAMS * (part ? image : g);
+                const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);
+                const double *c = inv->section + AXIAL * g + 4 * part +
+                                  8 * (A * axial_of[v] + axial_of[u]);
+                const double *d = c + 4 * (turned - part);
+                const double d0 = side * d[0], d1 = d[1], d2 = d[2], d3 = side * d[3];
+                s0 += c[0] * t[p0];
+                s1 += c[0] * t[GRAMS + 6 * p0 + 0];
+                s2 += c[0] * t[GRAMS + 6 * p0 + 1];
+                s3 += c[0] * t[GRAMS + 6 * p0 + 2];
+                s4 += c[0] * t[GRAMS + 6 * p0 + 3];
+                s5 += c[0] * t[GRAMS + 6 * p0 + 4];
+                s6 += c[0] * t[GRAMS + 6 * p0 + 5];
+                s7 += d0 * w[7 * GRAMS + 3 * p0 + 0];
+                s8 += d0 * w[7 * GRAMS + 3 * p0 + 1];
+                s9 += d0 * w[7 * GRAMS + 3 * p0 + 2];
+                if (l > 0) {
+                    s0 += c[1] * t[p1];
+                    s1 += c[1] * t[GRAMS + 6 * p1 + 0];
+                    s2 += c[1] * t[GRAMS + 6 * p1 + 1];
+                    s3 += c[1] * t[GRAMS + 6 * p1 + 2];
+                    s4 += c[1] * t[GRAMS + 6 * p1 + 3];
+                    s5 += c[1] * t[GRAMS + 6 * p1 + 4];
+                    s6 += c[1] * t[GRAMS + 6 * p1 + 5];
+                    s7 -= d1 * w[7 * GRAMS + 3 * p1 + 0];
+                    s8 -= d1 * w[7 * GRAMS + 3 * p1 + 1];
+                    s9 -= d1 * w[7 * GRAMS + 3 * p1 + 2];
                 }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e];
+                if (k > 0) {
+                    s0 += c[2] * t[p2];
+                    s1 += c[2] * t[GRAMS + 6 * p2 + 0];
+                    s2 += c[2] * t[GRAMS + 6 * p2 + 1];
+                    s3 += c[2] * t[GRAMS + 6 * p2 + 2];
+                    s4 += c[2] * t[GRAMS + 6 * p2 + 3];
+                    s5 += c[2] * t[GRAMS + 6 * p2 + 4];
+                    s6 += c[2] * t[GRAMS + 6 * p2 + 5];
+                    s7 += d2 * w[7 * GRAMS + 3 * p2 + 0];
+                    s8 += d2 * w[7 * GRAMS + 3 * p2 + 1];
+                    s9 += d2 * w[7 * GRAMS + 3 * p2 + 2];
+                }
+                if (k > 0 && l > 0) {
+                    s0 += c[3] * t[p3];
+                    s1 += c[3] * t[GRAMS + 6 * p3 + 0];
+                    s2 += c[3] * t[GRAMS + 6 * p3 + 1];
+                    s3 += c[3] * t[GRAMS + 6 * p3 + 2];
+                    s4 += c[3] * t[GRAMS + 6 * p3 + 3];
+                    s5 += c[3] * t[GRAMS + 6 * p3 + 4];
+                    s6 += c[3] * t[GRAMS + 6 * p3 + 5];
+                    s7 += d3 * w[7 * GRAMS + 3 * p3 + 0];
+                    s8 += d3 * w[7 * GRAMS + 3 * p3 + 1];
+                    s9 += d3 * w[7 * GRAMS + 3 * p3 + 2];
                 }
             }
-            if (k == 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e];
-                }
-            }
-            if (k > 0 && l == 0) {
-                Q[r] += c[0] * t[at] + c[2] * t[at + FIRST];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[2] * t[at + FIRST + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[2] * w[at + FIRST + 7 + e];
-                }
-            }
-            if (k > 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND] + c[2] * t[at + FIRST] + c[3] * t[at + FIRST + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e] + c[2] * t[at + FIRST + 1 + e] + c[3] * t[at + FIRST + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e] + d[2] * w[at + FIRST + 7 + e] + d[3] * w[at + FIRST + SECOND + 7 + e];
+            x[10 * z + 0] = s0;
+            x[10 * z + 1] = s1;
+            x[10 * z + 2] = s2;
+            x[10 * z + 3] = s3;
+            x[10 * z + 4] = s4;
+            x[10 * z + 5] = s5;
+            x[10 * z + 6] = s6;
+            x[10 * z + 7] = s7;
+            x[10 * z + 8] = s8;
+            x[10 * z + 9] = s9;
+            if (v == u) {
+                for (int a = 0; a < 3; a++) {
+                    x[10 * z + 7 + a] = zero;
                 }
             }
         }
+        if (parts == 1) {
+            Q[m] = x[0];
+            block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
+        }
+        if (parts == 2) {
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] + x[10 + e];
+            }
+            Q[m] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] - x[10 + e];
+            }
+            Q[n] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
+        }
+    }
+    if (OPPOSED) {
+        opposed_blocks(K);
     }
 }
 
@@ -1969,32 +1998,23 @@ static void expand(const double *weight, const hobe_real *even, const hobe_real 
 static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
                          const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
 {
-    hobe_real x0[3 * V], x[3 * V];
-    hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;
-    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;
+    hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;
+    hobe_real *T = X + 9 * GRAMS - 3 * S;
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 10 * BLOCKS; i++) {
-        Q[i] = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
     }
-    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
-    for (int g = 0; g < last + 1; g++) {
-        const int other = MIRRORED ? inv->stations - 1 - g : g;
-        station_rows(inv, g, x0, x, T, rest);
-        if (other != g) {
-            station_rows(inv, other, x0, x, W, rest);
-            even_and_odd(T, W);
-        }
-        const hobe_real *odd = other == g ? T : W;
-        expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);
+    const int couples = MIRRORED ? inv->stations / 2 : 0;
+    for (int g = 0; g < couples; g++) {
+        even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));
     }
+    nodal_blocks(inv, T, Q, K);
     /* D = D0 + U */
     for (int i = 0; i < 3 * V; i++) {
         x[i] += x0[i];
     }
-    images(Q);
     tensor_force(Q, x, f);
-    finish(Q, sym, skew, K);
 }
 
 /* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
@@ -2222,9 +2242,9 @@ static const char *const function_name[] = {
     "w", "wy", "wz", "ww", "w1", "v1y", "v1z", "v2y", "v2z", "w2", "w2t", "v3y", "v3z", "w3",
 };
 static const struct hobe_plan_cost section_cost[HOBE_SYMMETRIES] = {
-    {3220737, 30888796, 908226}, {1648577, 15705756, 454530}, {1649337, 15709396, 454626},
-    {862877, 8116056, 227730}, {1649337, 15709396, 454626}, {862877, 8116056, 227730},
-    {866737, 8140796, 228426}, {471577, 4331756, 114630},
+    {3220737, 30859279, 908226}, {1648577, 15676239, 454530}, {1649337, 15679879, 454626},
+    {862877, 8086539, 227730}, {1649337, 15679879, 454626}, {862877, 8086539, 227730},
+    {866737, 8111279, 228426}, {471577, 4302239, 114630},
 };
 static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
     {0, 0, 0}, {1809919, 17431561, 2593917}, {0, 0, 0}, {922159, 8768773, 1298079}, {0, 0, 0},
@@ -2247,8 +2267,8 @@ const struct hobe_kernel HOBE_KERNEL(MGD30d2) = {
     .normals = NN,
     .shears = NS,
     .flops_force = 1648577,
-    .flops_tangent = 15705756,
-    .scratch = 46120,
+    .flops_tangent = 15676239,
+    .scratch = 45598,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,

@@ -7,15 +7,15 @@
  * vectors (mode@node, ' for d/dx): 1@1 1'@1 y@1 z@1 w@1 yy@1 yz@1 zz@1 yyy@1 yyz@1 yzz@1 zzz@1
  *     y@2 z@2 w@2 yy@2 yz@2 zz@2 yyy@2 yyz@2 yzz@2 zzz@2 1@3 1'@3 y@3 z@3 w@3 yy@3 yz@3 zz@3
  *     yyy@3 yyz@3 yzz@3 zzz@3
- * operations per element: force 299747, force and tangent 2739423, energy 286287
- * from station to station, symmetric in nothing: force 565947, force and tangent 5262823
- * from station to station, symmetric in x: force 299747, force and tangent 2739423
- * from station to station, symmetric in y: force 299747, force and tangent 2739423
- * from station to station, symmetric in x y: force 166647, force and tangent 1477723
- * from station to station, symmetric in z: force 299747, force and tangent 2739423
- * from station to station, symmetric in x z: force 166647, force and tangent 1477723
- * from station to station, symmetric in y z: force 166907, force and tangent 1479063
- * from station to station, symmetric in x y z: force 100227, force and tangent 847543
+ * operations per element: force 299747, force and tangent 2727576, energy 286287
+ * from station to station, symmetric in nothing: force 565947, force and tangent 5250976
+ * from station to station, symmetric in x: force 299747, force and tangent 2727576
+ * from station to station, symmetric in y: force 299747, force and tangent 2727576
+ * from station to station, symmetric in x y: force 166647, force and tangent 1465876
+ * from station to station, symmetric in z: force 299747, force and tangent 2727576
+ * from station to station, symmetric in x z: force 166647, force and tangent 1465876
+ * from station to station, symmetric in y z: force 166907, force and tangent 1467216
+ * from station to station, symmetric in x y z: force 100227, force and tangent 835696
  * as one tensor, symmetric in x: force 331978, force and tangent 3102430
  * as one tensor, symmetric in x y: force 173358, force and tangent 1573650
  * as one tensor, symmetric in x z: force 173358, force and tangent 1573650
@@ -498,8 +498,6 @@ enum {
     MIRRORED = 1,     /* whether there are mirror images */
     GRAMS = 231,      /* pairs of section vectors */
     AXIAL = 392,      /* weights of a station for axial functions */
-    FIRST = 2100,     /* from the numbers of (k', l') to those of (k, l') among rows of section vectors */
-    SECOND = 100,     /* to those of (k', l) */
     MOST_PAIRS = 561, /* of either kind */
 };
 
@@ -537,41 +535,34 @@ static const double share[] = {
     1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
     1.0 / 4.0,
 };
-/* pairs of rows that are images, and rows that are their own */
-static const short image[] = {
-    2, 299, 4, 323, 5, 324, 7, 348, 8, 349, 9, 350, 11, 374, 12, 375, 13, 376, 14, 377, 16, 401,
-    17, 402, 18, 403, 19, 404, 20, 405, 22, 429, 23, 430, 24, 431, 25, 432, 26, 433, 27, 434,
-    29, 458, 30, 459, 31, 460, 32, 461, 33, 462, 34, 463, 35, 464, 37, 488, 38, 489, 39, 490,
-    40, 491, 41, 492, 42, 493, 43, 494, 44, 495, 46, 519, 47, 520, 48, 521, 49, 522, 50, 523,
-    51, 524, 52, 525, 53, 526, 54, 527, 56, 551, 57, 552, 58, 553, 59, 554, 60, 555, 61, 556,
-    62, 557, 63, 558, 64, 559, 65, 560, 67, 584, 68, 585, 69, 586, 70, 587, 71, 588, 72, 589,
-    73, 590, 74, 591, 75, 592, 76, 593, 77, 594, 79, 288, 80, 312, 81, 337, 82, 363, 83, 390,
-    84, 418, 85, 447, 86, 477, 87, 508, 88, 540, 89, 573, 92, 289, 93, 313, 94, 338, 95, 364,
-    96, 391, 97, 419, 98, 448, 99, 478, 100, 509, 101, 541, 102, 574, 106, 290, 107, 314, 108,
-    339, 109, 365, 110, 392, 111, 420, 112, 449, 113, 479, 114, 510, 115, 542, 116, 575, 121,
-    291, 122, 315, 123, 340, 124, 366, 125, 393, 126, 421, 127, 450, 128, 480, 129, 511, 130,
-    543, 131, 576, 137, 292, 138, 316, 139, 341, 140, 367, 141, 394, 142, 422, 143, 451, 144,
-    481, 145, 512, 146, 544, 147, 577, 154, 293, 155, 317, 156, 342, 157, 368, 158, 395, 159,
-    423, 160, 452, 161, 482, 162, 513, 163, 545, 164, 578, 172, 294, 173, 318, 174, 343, 175,
-    369, 176, 396, 177, 424, 178, 453, 179, 483, 180, 514, 181, 546, 182, 579, 191, 295, 192,
-    319, 193, 344, 194, 370, 195, 397, 196, 425, 197, 454, 198, 484, 199, 515, 200, 547, 201,
-    580, 211, 296, 212, 320, 213, 345, 214, 371, 215, 398, 216, 426, 217, 455, 218, 485, 219,
-    516, 220, 548, 221, 581, 232, 297, 233, 321, 234, 346, 235, 372, 236, 399, 237, 427, 238,
-    456, 239, 486, 240, 517, 241, 549, 242, 582, 254, 298, 255, 322, 256, 347, 257, 373, 258,
-    400, 259, 428, 260, 457, 261, 487, 262, 518, 263, 550, 264, 583, 278, 301, 279, 326, 280,
-    352, 281, 379, 282, 407, 283, 436, 284, 466, 285, 497, 286, 529, 287, 562, 303, 327, 304,
-    353, 305, 380, 306, 408, 307, 437, 308, 467, 309, 498, 310, 530, 311, 563, 329, 354, 330,
-    381, 331, 409, 332, 438, 333, 468, 334, 499, 335, 531, 336, 564, 356, 382, 357, 410, 358,
-    439, 359, 469, 360, 500, 361, 532, 362, 565, 384, 411, 385, 440, 386, 470, 387, 501, 388,
-    533, 389, 566, 413, 441, 414, 471, 415, 502, 416, 534, 417, 567, 443, 472, 444, 503, 445,
-    535, 446, 568, 474, 504, 475, 536, 476, 569, 506, 537, 507, 570, 539, 571,
-};
-static const short alone[] = {
-    90, 103, 104, 117, 118, 119, 132, 133, 134, 135, 148, 149, 150, 151, 152, 165, 166, 167,
-    168, 169, 170, 183, 184, 185, 186, 187, 188, 189, 202, 203, 204, 205, 206, 207, 208, 209,
-    222, 223, 224, 225, 226, 227, 228, 229, 230, 243, 244, 245, 246, 247, 248, 249, 250, 251,
-    252, 265, 266, 267, 268, 269, 270, 271, 272, 273, 274, 275, 277, 302, 328, 355, 383, 412,
-    442, 473, 505, 538, 572,
+/* vectors of the rows that have a mirror image after them, and of those alone */
+static const short lead[] = {
+    1, 1, 22, 1, 2, 1, 12, 1, 22, 2, 23, 2, 3, 1, 13, 1, 22, 3, 23, 3, 4, 1, 14, 1, 22, 4, 23,
+    4, 5, 1, 15, 1, 22, 5, 23, 5, 6, 1, 16, 1, 22, 6, 23, 6, 7, 1, 17, 1, 22, 7, 23, 7, 8, 1,
+    18, 1, 22, 8, 23, 8, 9, 1, 19, 1, 22, 9, 23, 9, 10, 1, 20, 1, 22, 10, 23, 10, 11, 1, 21, 1,
+    22, 11, 23, 11, 2, 2, 12, 2, 3, 2, 12, 3, 13, 2, 24, 3, 4, 2, 12, 4, 14, 2, 24, 4, 5, 2, 12,
+    5, 15, 2, 24, 5, 6, 2, 12, 6, 16, 2, 24, 6, 7, 2, 12, 7, 17, 2, 24, 7, 8, 2, 12, 8, 18, 2,
+    24, 8, 9, 2, 12, 9, 19, 2, 24, 9, 10, 2, 12, 10, 20, 2, 24, 10, 11, 2, 12, 11, 21, 2, 24,
+    11, 3, 3, 13, 3, 4, 3, 13, 4, 14, 3, 25, 4, 5, 3, 13, 5, 15, 3, 25, 5, 6, 3, 13, 6, 16, 3,
+    25, 6, 7, 3, 13, 7, 17, 3, 25, 7, 8, 3, 13, 8, 18, 3, 25, 8, 9, 3, 13, 9, 19, 3, 25, 9, 10,
+    3, 13, 10, 20, 3, 25, 10, 11, 3, 13, 11, 21, 3, 25, 11, 4, 4, 14, 4, 5, 4, 14, 5, 15, 4, 26,
+    5, 6, 4, 14, 6, 16, 4, 26, 6, 7, 4, 14, 7, 17, 4, 26, 7, 8, 4, 14, 8, 18, 4, 26, 8, 9, 4,
+    14, 9, 19, 4, 26, 9, 10, 4, 14, 10, 20, 4, 26, 10, 11, 4, 14, 11, 21, 4, 26, 11, 5, 5, 15,
+    5, 6, 5, 15, 6, 16, 5, 27, 6, 7, 5, 15, 7, 17, 5, 27, 7, 8, 5, 15, 8, 18, 5, 27, 8, 9, 5,
+    15, 9, 19, 5, 27, 9, 10, 5, 15, 10, 20, 5, 27, 10, 11, 5, 15, 11, 21, 5, 27, 11, 6, 6, 16,
+    6, 7, 6, 16, 7, 17, 6, 28, 7, 8, 6, 16, 8, 18, 6, 28, 8, 9, 6, 16, 9, 19, 6, 28, 9, 10, 6,
+    16, 10, 20, 6, 28, 10, 11, 6, 16, 11, 21, 6, 28, 11, 7, 7, 17, 7, 8, 7, 17, 8, 18, 7, 29, 8,
+    9, 7, 17, 9, 19, 7, 29, 9, 10, 7, 17, 10, 20, 7, 29, 10, 11, 7, 17, 11, 21, 7, 29, 11, 8, 8,
+    18, 8, 9, 8, 18, 9, 19, 8, 30, 9, 10, 8, 18, 10, 20, 8, 30, 10, 11, 8, 18, 11, 21, 8, 30,
+    11, 9, 9, 19, 9, 10, 9, 19, 10, 20, 9, 31, 10, 11, 9, 19, 11, 21, 9, 31, 11, 10, 10, 20, 10,
+    11, 10, 20, 11, 21, 10, 32, 11, 11, 11, 21, 11, 22, 22, 23, 1, 22, 12, 22, 13, 22, 14, 22,
+    15, 22, 16, 22, 17, 22, 18, 22, 19, 22, 20, 22, 21, 12, 12, 24, 2, 13, 12, 14, 12, 15, 12,
+    16, 12, 17, 12, 18, 12, 19, 12, 20, 12, 21, 12, 13, 13, 25, 3, 14, 13, 15, 13, 16, 13, 17,
+    13, 18, 13, 19, 13, 20, 13, 21, 13, 14, 14, 26, 4, 15, 14, 16, 14, 17, 14, 18, 14, 19, 14,
+    20, 14, 21, 14, 15, 15, 27, 5, 16, 15, 17, 15, 18, 15, 19, 15, 20, 15, 21, 15, 16, 16, 28,
+    6, 17, 16, 18, 16, 19, 16, 20, 16, 21, 16, 17, 17, 29, 7, 18, 17, 19, 17, 20, 17, 21, 17,
+    18, 18, 30, 8, 19, 18, 20, 18, 21, 18, 19, 19, 31, 9, 20, 19, 21, 19, 20, 20, 32, 10, 21,
+    20, 21, 21, 33, 11,
 };
 /* by symmetry: how many classes a row meets, and its own class times which */
 static const short merged[] = {
@@ -1287,7 +1278,11 @@ static const double *row_skew(const struct products *of, const double *H, int sy
 static void images(hobe_real *Q)
 {
     for (int o = 0; o < IMAGES; o++) {
-        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        hobe_real *a = Q + m, *b = Q + n;
         const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
         a[0] = sum;
         b[0] = difference;
@@ -1341,8 +1336,10 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
     for (int o = 0; o < IMAGES; o++) {
-        const int m = image[2 * o];
-        const int n = image[2 * o + 1];
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
         hobe_real s[6], r[3];
         for (int e = 0; e < 6; e++) {
             s[e] = sym[6 * m + e] + sym[6 * n + e];
@@ -1359,8 +1356,10 @@ static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *sk
         }
         block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
     }
-    for (int o = 0; o < ALONE; o++) {
-        const int m = alone[o];
+    for (int o = IMAGES; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
         block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
     }
 }
@@ -1543,13 +1542,12 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T[S][S][10] = Q, the symmetric and the skew part of the rows (I, J) of station g */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
-                         const hobe_real *x, hobe_real *T, hobe_real *scratch)
+                         const hobe_real *x, hobe_real *X, hobe_real *T)
 {
-    hobe_real B[3 * S], U[3 * S];
-    hobe_real *X = scratch, *Z = X + 6 * GRAMS, *Q = Z + 3 * (GRAMS - S);
-    hobe_real *sym = Q + GRAMS, *skew = sym + 6 * GRAMS;
+    hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;
+    hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;
     const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
     const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
     section_vectors(N, Nx, x0, B);
@@ -1562,30 +1560,13 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
     for (int i = 0; i < 3 * S; i++) {
         B[i] += 0.5 * U[i];
     }
-    H = row_stress(sectional, H, inv->symmetry, X, Q);
+    H = row_stress(sectional, H, inv->symmetry, X, T);
     products(sectional, B, X, Z);
     H = row_symmetric(sectional, H, inv->symmetry, X, sym);
     row_skew(sectional, H, inv->symmetry, Z, skew);
     for (int i = 0; i < S; i++) {
         for (int a = 0; a < 3; a++) {
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-        for (int j = 0; j < i + 1; j++) {
-            const int r = hobe_pair(i, j);
-            T[10 * (j * S + i)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (j * S + i) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (j * S + i) + 7 + e] = zero - skew[3 * r + e];
-            }
-            T[10 * (i * S + j)] = Q[r];
-            for (int e = 0; e < 6; e++) {
-                T[10 * (i * S + j) + 1 + e] = sym[6 * r + e];
-            }
-            for (int e = 0; e < 3; e++) {
-                T[10 * (i * S + j) + 7 + e] = skew[3 * r + e];
-            }
         }
     }
 }
@@ -1594,77 +1575,135 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
 static void even_and_odd(hobe_real *T, hobe_real *W)
 {
     for (int i = 0; i < S; i++) {
-        for (int j = 0; j < S; j++) {
-            hobe_real *t = T + 10 * (i * S + j), *w = W + 10 * (i * S + j);
+        for (int j = 0; j < i + 1; j++) {
+            const int r = hobe_pair(i, j);
             const int along = (i < M) == (j < M);
-            hobe_real *plus = along ? t : w, *minus = along ? w : t;
+            hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const hobe_real sum = t[e] + w[e], less = t[e] - w[e];
-                plus[e] = sum;
-                minus[e] = less;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
+                plus[at] = sum;
+                minus[at] = less;
             }
         }
     }
 }
 
-/* Adds the parts T[S][S][10] of a pair of stations to the rows of nodal vectors: of each pair
- * of mirror images what they share to the first, what they differ by to the other */
-static void expand(const double *weight, const hobe_real *even, const hobe_real *odd, hobe_real *Q,
-                   hobe_real *sym, hobe_real *skew)
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
+ * row and its mirror image the sum of what they share, then that of what they differ by */
+static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
+                         hobe_real *K)
 {
-    for (int v = OPPOSED; v < V; v++) {
-        for (int u = OPPOSED; u < v + 1; u++) {
-            const int r = hobe_pair(v, u);
-            const int a = nodal->mirror[v];
-            const int b = nodal->mirror[u];
-            const int other = symmetric(a, b) < r;
-            const int i = other ? larger(a, b) : v;
-            const int j = other ? a + b - i : u;
-            const int part = odd_of[v] ^ odd_of[u] ^ other;
-            const int turned = part ^ (a < b);
-            const int k = mode[i];
-            const int l = mode[j];
-            const int at = 10 * (k * S + l);
-            const double *w2 = weight + 8 * (A * axial_of[i] + axial_of[j]);
-            const double *c = w2 + 4 * part, *d = w2 + 4 * turned;
-            const hobe_real *t = part ? odd : even, *w = turned ? odd : even;
-            if (k == 0 && l == 0) {
-                Q[r] += c[0] * t[at];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e];
+    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
+    for (int o = 0; o < IMAGES + ALONE; o++) {
+        const int v = lead[2 * o];
+        const int u = lead[2 * o + 1];
+        const int m = hobe_pair(v, u);
+        const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+        const int k = mode[v];
+        const int l = mode[u];
+        const int parts = 1 + (o < IMAGES);
+        const int p0 = symmetric(k, l);
+        const int p1 = symmetric(k, M - 1 + l);
+        const int p2 = symmetric(M - 1 + k, l);
+        const int p3 = symmetric(M - 1 + k, M - 1 + l);
+        const double side = k < l ? -1.0 : 1.0;
+        hobe_real x[20], y[10];
+        for (int z = 0; z < parts; z++) {
+            const int part = odd_of[v] ^ odd_of[u] ^ z;
+            const int turned = part ^ (nodal->mirror[v] < nodal->mirror[u]);
+            hobe_real s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero;
+            hobe_real s5 = zero, s6 = zero, s7 = zero, s8 = zero, s9 = zero;
+            for (int g = 0; g < last + 1; g++) {
+                const int image = inv->stations - 1 - g;
+                const hobe_real *t = T + 10 * GRAMS * (part ? image : g);
+                const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);
+                const double *c = inv->section + AXIAL * g + 4 * part +
+                                  8 * (A * axial_of[v] + axial_of[u]);
+                const double *d = c + 4 * (turned - part);
+                const double d0 = side * d[0], d1 = d[1], d2 = d[2], d3 = side * d[3];
+                s0 += c[0] * t[p0];
+                s1 += c[0] * t[GRAMS + 6 * p0 + 0];
+                s2 += c[0] * t[GRAMS + 6 * p0 + 1];
+                s3 += c[0] * t[GRAMS + 6 * p0 + 2];
+                s4 += c[0] * t[GRAMS + 6 * p0 + 3];
+                s5 += c[0] * t[GRAMS + 6 * p0 + 4];
+                s6 += c[0] * t[GRAMS + 6 * p0 + 5];
+                s7 += d0 * w[7 * GRAMS + 3 * p0 + 0];
+                s8 += d0 * w[7 * GRAMS + 3 * p0 + 1];
+                s9 += d0 * w[7 * GRAMS + 3 * p0 + 2];
+                if (l > 0) {
+                    s0 += c[1] * t[p1];
+                    s1 += c[1] * t[GRAMS + 6 * p1 + 0];
+                    s2 += c[1] * t[GRAMS + 6 * p1 + 1];
+                    s3 += c[1] * t[GRAMS + 6 * p1 + 2];
+                    s4 += c[1] * t[GRAMS + 6 * p1 + 3];
+                    s5 += c[1] * t[GRAMS + 6 * p1 + 4];
+                    s6 += c[1] * t[GRAMS + 6 * p1 + 5];
+                    s7 -= d1 * w[7 * GRAMS + 3 * p1 + 0];
+                    s8 -= d1 * w[7 * GRAMS + 3 * p1 + 1];
+                    s9 -= d1 * w[7 * GRAMS + 3 * p1 + 2];
                 }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e];
+                if (k > 0) {
+                    s0 += c[2] * t[p2];
+                    s1 += c[2] * t[GRAMS + 6 * p2 + 0];
+                    s2 += c[2] * t[GRAMS + 6 * p2 + 1];
+                    s3 += c[2] * t[GRAMS + 6 * p2 + 2];
+                    s4 += c[2] * t[GRAMS + 6 * p2 + 3];
+                    s5 += c[2] * t[GRAMS + 6 * p2 + 4];
+                    s6 += c[2] * t[GRAMS + 6 * p2 + 5];
+                    s7 += d2 * w[7 * GRAMS + 3 * p2 + 0];
+                    s8 += d2 * w[7 * GRAMS + 3 * p2 + 1];
+                    s9 += d2 * w[7 * GRAMS + 3 * p2 + 2];
+                }
+                if (k > 0 && l > 0) {
+                    s0 += c[3] * t[p3];
+                    s1 += c[3] * t[GRAMS + 6 * p3 + 0];
+                    s2 += c[3] * t[GRAMS + 6 * p3 + 1];
+                    s3 += c[3] * t[GRAMS + 6 * p3 + 2];
+                    s4 += c[3] * t[GRAMS + 6 * p3 + 3];
+                    s5 += c[3] * t[GRAMS + 6 * p3 + 4];
+                    s6 += c[3] * t[GRAMS + 6 * p3 + 5];
+                    s7 += d3 * w[7 * GRAMS + 3 * p3 + 0];
+                    s8 += d3 * w[7 * GRAMS + 3 * p3 + 1];
+                    s9 += d3 * w[7 * GRAMS + 3 * p3 + 2];
                 }
             }
-            if (k == 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e];
-                }
-            }
-            if (k > 0 && l == 0) {
-                Q[r] += c[0] * t[at] + c[2] * t[at + FIRST];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[2] * t[at + FIRST + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[2] * w[at + FIRST + 7 + e];
-                }
-            }
-            if (k > 0 && l > 0) {
-                Q[r] += c[0] * t[at] + c[1] * t[at + SECOND] + c[2] * t[at + FIRST] + c[3] * t[at + FIRST + SECOND];
-                for (int e = 0; e < 6; e++) {
-                    sym[6 * r + e] += c[0] * t[at + 1 + e] + c[1] * t[at + SECOND + 1 + e] + c[2] * t[at + FIRST + 1 + e] + c[3] * t[at + FIRST + SECOND + 1 + e];
-                }
-                for (int e = 0; e < 3; e++) {
-                    skew[3 * r + e] += d[0] * w[at + 7 + e] + d[1] * w[at + SECOND + 7 + e] + d[2] * w[at + FIRST + 7 + e] + d[3] * w[at + FIRST + SECOND + 7 + e];
+            x[10 * z + 0] = s0;
+            x[10 * z + 1] = s1;
+            x[10 * z + 2] = s2;
+            x[10 * z + 3] = s3;
+            x[10 * z + 4] = s4;
+            x[10 * z + 5] = s5;
+            x[10 * z + 6] = s6;
+            x[10 * z + 7] = s7;
+            x[10 * z + 8] = s8;
+            x[10 * z + 9] = s9;
+            if (v == u) {
+                for (int a = 0; a < 3; a++) {
+                    x[10 * z + 7 + a] = zero;
                 }
             }
         }
+        if (parts == 1) {
+            Q[m] = x[0];
+            block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
+        }
+        if (parts == 2) {
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] + x[10 + e];
+            }
+            Q[m] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
+            for (int e = 0; e < 10; e++) {
+                y[e] = x[e] - x[10 + e];
+            }
+            Q[n] = y[0];
+            block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
+        }
+    }
+    if (OPPOSED) {
+        opposed_blocks(K);
     }
 }
 
@@ -1672,32 +1711,23 @@ static void expand(const double *weight, const hobe_real *even, const hobe_real 
 static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
                          const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
 {
-    hobe_real x0[3 * V], x[3 * V];
-    hobe_real *T = scratch, *W = T + 10 * S * S, *Q = W + 10 * S * S;
-    hobe_real *sym = Q + BLOCKS, *skew = sym + 6 * BLOCKS, *rest = skew + 3 * BLOCKS;
+    hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;
+    hobe_real *T = X + 9 * GRAMS - 3 * S;
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 10 * BLOCKS; i++) {
-        Q[i] = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
     }
-    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
-    for (int g = 0; g < last + 1; g++) {
-        const int other = MIRRORED ? inv->stations - 1 - g : g;
-        station_rows(inv, g, x0, x, T, rest);
-        if (other != g) {
-            station_rows(inv, other, x0, x, W, rest);
-            even_and_odd(T, W);
-        }
-        const hobe_real *odd = other == g ? T : W;
-        expand(inv->section + AXIAL * g, T, odd, Q, sym, skew);
+    const int couples = MIRRORED ? inv->stations / 2 : 0;
+    for (int g = 0; g < couples; g++) {
+        even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));
     }
+    nodal_blocks(inv, T, Q, K);
     /* D = D0 + U */
     for (int i = 0; i < 3 * V; i++) {
         x[i] += x0[i];
     }
-    images(Q);
     tensor_force(Q, x, f);
-    finish(Q, sym, skew, K);
 }
 
 /* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
@@ -1922,9 +1952,9 @@ static const char *const function_name[] = {
     "w",
 };
 static const struct hobe_plan_cost section_cost[HOBE_SYMMETRIES] = {
-    {565947, 5262823, 150822}, {299747, 2739423, 75582}, {299747, 2739423, 75582},
-    {166647, 1477723, 37962}, {299747, 2739423, 75582}, {166647, 1477723, 37962},
-    {166907, 1479063, 37998}, {100227, 847543, 19170},
+    {565947, 5250976, 150822}, {299747, 2727576, 75582}, {299747, 2727576, 75582},
+    {166647, 1465876, 37962}, {299747, 2727576, 75582}, {166647, 1465876, 37962},
+    {166907, 1467216, 37998}, {100227, 835696, 19170},
 };
 static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
     {0, 0, 0}, {331978, 3102430, 457650}, {0, 0, 0}, {173358, 1573650, 229290}, {0, 0, 0},
@@ -1947,8 +1977,8 @@ const struct hobe_kernel HOBE_KERNEL(MGD30w_II) = {
     .normals = NN,
     .shears = NS,
     .flops_force = 299747,
-    .flops_tangent = 2739423,
-    .scratch = 19096,
+    .flops_tangent = 2727576,
+    .scratch = 18781,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,
