@@ -122,5 +122,7 @@ void run_force(const struct fixture *fx, const struct hobe_invariants *inv, stru
 void run_tangent(const struct fixture *fx, const struct hobe_invariants *inv, struct batch *b);
 void run_trilinear(const struct fixture *fx, const hobe_lanes *p, const hobe_lanes *q,
                    const hobe_lanes *r, struct batch *b);
+void run_series(const struct fixture *fx, int k, const hobe_lanes *u, hobe_lanes *table,
+                struct batch *b);
 
 #endif
