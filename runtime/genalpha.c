@@ -78,7 +78,8 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
     *g = (struct genalpha){.tolerance =
                                options->tolerance > 0 ? options->tolerance : DEFAULT_TOLERANCE,
                            .max_iterations = options->max_iterations > 0 ? options->max_iterations
-                                                                         : DEFAULT_ITERATIONS};
+                                                                         : DEFAULT_ITERATIONS,
+                           .full_newton = options->full_newton};
     set_parameters(g, options->rho > 0 ? options->rho : DEFAULT_RHO);
     enum hobe_status status = solver_open(&g->s, model, &(struct hobe_newton){0}, err);
     if (!status && model->spun) /* Coriolis' force has a skew matrix */
@@ -222,7 +223,7 @@ static enum outcome correct(struct genalpha *g, struct hobe_error *err)
         return fail(g, "its equations are singular");
     if (outcome == ERROR || solver_solve(s, s->r, -1, s->x, err))
         return ERROR;
-    g->factored = 1;
+    g->factored = !g->full_newton;
     move(g);
     return CONVERGED;
 }

@@ -30,7 +30,7 @@ struct genalpha {
     struct solver s; /* s.u: the state being found */
     double am, af, beta, gamma;
     double tolerance;
-    int max_iterations;
+    int max_iterations, full_newton; /* as in hobe_dynamic */
     struct genalpha_state now;
     double *v, *w, *a;  /* [vectors][3] at the end of the step */
     double *force;      /* [vectors][3] M w there, N */
