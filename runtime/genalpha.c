@@ -122,6 +122,11 @@ double genalpha_norm(const struct genalpha *g, const double *x)
     return sqrt(fmax(0, mass_product(g->s.model, x, x)) / g->mass);
 }
 
+double genalpha_acceleration(const struct genalpha *g)
+{
+    return sqrt(fmax(0, dot(3 * g->s.model->moving, g->w, g->force)) / g->mass);
+}
+
 double genalpha_error(struct genalpha *g)
 {
     const double h = g->now.step, share = fabs(g->beta + (g->am - g->af) / 2 - 1.0 / 6);
