@@ -25,7 +25,7 @@ static const double DIVERGED = 1e6;
 
 /* Factors cost about as much as so many iterations with those at hand: a step that would need more
  * makes new ones. */
-static const double WORTH = 4;
+static const double WORTH = 3;
 
 /* ---- memory --------------------------------------------------------------------------------- */
 
@@ -233,8 +233,8 @@ static enum outcome correct(struct genalpha *g, struct hobe_error *err)
     return CONVERGED;
 }
 
-/* How the iteration stands: whether the factors are of this step, and the last tangent of the state
- * before; norms of the residual, the first and the last. */
+/* How the iteration stands: how many factors were made in this step, and whether the last tangent
+ * is of the state before; norms of the residual, the first and the last. */
 struct progress {
     int own, turned;
     double first, last;
@@ -271,20 +271,22 @@ static enum outcome iterate(struct genalpha *g, struct hobe_error *err)
     struct solver *s = &g->s;
     struct progress p = {.last = INFINITY};
     for (g->iterations = 0; g->iterations <= g->max_iterations; g->iterations++) {
-        evaluate(g, g->factored ? NO_TANGENT : best_tangent(&p));
+        evaluate(g, g->factored || g->iterations ? NO_TANGENT : best_tangent(&p));
         if (model_failure(s->model, err))
             return ERROR;
         double norm = solver_norm(s, s->r, 1);
         const double wanted = goal(g);
         p.first = g->iterations ? p.first : fmax(norm, wanted);
-        if (norm <= wanted && genalpha_violation(g, s->r) <= CLOSED)
+        if (norm <= wanted && genalpha_violation(g, s->r) <= CLOSED) {
+            g->factored &= p.own < 2; /* a step that wears them out leaves none to the next */
             return CONVERGED;
+        }
         if (!(norm <= DIVERGED * p.first) && (p.own || !g->iterations))
             return fail(g, "Newton's iteration diverges");
-        if (g->factored && g->iterations && too_slow(&p, norm, wanted))
+        if (g->iterations && (!g->factored || too_slow(&p, norm, wanted)))
             norm = renew(g, &p, norm);
         p.turned = !g->factored;
-        p.own |= p.turned;
+        p.own += p.turned;
         p.last = norm;
         const enum outcome outcome = correct(g, err);
         if (outcome != CONVERGED)
