@@ -255,10 +255,11 @@ static enum outcome judge(struct run *run)
 {
     struct genalpha *g = &run->g;
     const double h = g->now.step, accuracy = run->options.accuracy;
-    const double before = genalpha_norm(g, g->now.w), after = genalpha_norm(g, g->w);
+    const double after = genalpha_acceleration(g);
     run->error = accuracy > 0 ? genalpha_error(g) / g->size : NAN;
     g->reason = NULL;
-    if (!(after <= LEAP * before) && !(h * h * after <= (accuracy > 0 ? accuracy : FAR) * g->size))
+    if (!(h * h * after <= (accuracy > 0 ? accuracy : FAR) * g->size) &&
+        !(after <= LEAP * genalpha_norm(g, g->now.w)))
         g->reason = "the accelerations grew to more than three times what they were";
     else if (run->error > accuracy)
         g->reason = "the error was too large";
