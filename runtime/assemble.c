@@ -11,8 +11,8 @@
 #endif
 
 enum {
-    BATCHES_PER_TASK = 16, /* neighbours that find each other's panels in the cache */
-    TASKS_PER_THREAD = 2   /* fewer are done before a second thread wakes up */
+    BATCHES_PER_TASK = 16,    /* neighbours that find each other's panels in the cache */
+    ELEMENTS_PER_THREAD = 512 /* fewer are done before a second thread wakes up */
 };
 
 static int most_threads(void)
@@ -125,10 +125,12 @@ static enum hobe_status open_workspaces(const struct hobe_model *model, struct s
 enum hobe_status assemble_schedule(hobe_model *model, struct hobe_error *err)
 {
     struct schedule *s = &model->schedule;
-    long tasks = 0;
-    for (size_t i = 0; i < model->beams.count; i++)
+    long tasks = 0, elements = 0;
+    for (size_t i = 0; i < model->beams.count; i++) {
         tasks += tasks_of(model_beam(model, i));
-    const long useful = 1 + tasks / TASKS_PER_THREAD;
+        elements += model_beam(model, i)->spec.elements;
+    }
+    const long useful = 1 + elements / ELEMENTS_PER_THREAD;
     s->threads = useful < most_threads() ? (int)useful : most_threads();
     const enum hobe_status status = order_tasks(model, tasks, s, err);
     return status ? status : open_workspaces(model, s, err);
