@@ -77,12 +77,13 @@ static void add(long n, double factor, const double *x, double *y)
 static void gather_known(struct series *series, int k)
 {
     const struct hobe_model *model = series->s->model;
+    const struct instant *instant = &series->s->motion.instant;
     const double *const *u = (const double *const *)series->u;
     const long n = size_of(series);
     assemble_series(model, k, u[k - 1], &series->table, series->f);
     constraint_series(model, u, k, k, series->f);
-    load_series(model, u, k, k - 1, series->Q[k - 1]);
-    load_series(model, u, k, k, series->more);
+    load_series(model, u, instant, k, k - 1, series->Q[k - 1]);
+    load_series(model, u, instant, k, k, series->more);
     add(n, -series->lambda[0], series->more, series->f);
     for (int i = 1; i < k; i++)
         add(n, -series->lambda[i], series->Q[k - i], series->f);
@@ -111,7 +112,7 @@ enum hobe_status series_expand(struct series *series, double lambda, const doubl
     struct solver *s = series->s;
     memcpy(series->u[0], s->u, (size_t)size_of(series) * sizeof *s->u);
     series->lambda[0] = lambda;
-    load_series(s->model, (const double *const *)series->u, 1, 0, series->Q[0]);
+    load_series(s->model, (const double *const *)series->u, &s->motion.instant, 1, 0, series->Q[0]);
     enum hobe_status status = solver_solve(s, series->Q[0], 1, series->q, err);
     for (int k = 1; !status && k <= SERIES_ORDER; k++) {
         gather_known(series, k);
