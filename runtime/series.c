@@ -3,6 +3,7 @@
 
 #include "constraint.h"
 #include "load.h"
+#include "spring.h"
 #include "taylor.h"
 #include "vector3.h"
 
@@ -14,25 +15,34 @@ static long size_of(const struct series *series)
     return 3 * series->s->model->vectors;
 }
 
-static int has_function(const struct hobe_model *model)
+static const struct hobe_force *find_function(const struct hobe_model *model)
 {
     const struct hobe_force *force = model->forces.item;
     for (size_t i = 0; i < model->forces.count; i++)
         if (force[i].function)
-            return 1;
-    return 0;
+            return force + i;
+    return NULL;
 }
 
 /* What a series would have to know the powers of, and does not. */
 static enum hobe_status check(const struct hobe_model *model, struct hobe_error *err)
 {
-    const char *unknown = model->spin.speed != 0     ? "a scene that spins"
-                          : model->springs.count > 0 ? "springs"
-                          : has_function(model)      ? "forces that are functions of the state"
-                                                     : NULL;
+    const struct hobe_force *function = find_function(model);
+    const struct spring *spring = model->springs.count > 0 ? model->springs.item : NULL;
+    const char *unknown = NULL, *where = NULL;
+    if (model->spin.speed != 0) {
+        unknown = "a scene that spins";
+        where = model->spin.where;
+    } else if (spring) {
+        unknown = "springs";
+        where = spring->spec.where;
+    } else if (function) {
+        unknown = "forces that are functions of the state";
+        where = function->where;
+    }
     if (!unknown)
         return HOBE_OK;
-    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+    return hobe_fail(err, HOBE_BAD_INPUT, where,
                      "method = \"series\" knows no power series of %s; use method = \"newton\"",
                      unknown);
 }

@@ -240,19 +240,59 @@ static void starts(const hobe_section *section)
     hobe_model_free(far);
 }
 
-static void refused(const hobe_section *section)
+/* Frees the model. */
+static void check_refusal(hobe_model *model, const char *words)
 {
     struct hobe_error err;
-    const struct hobe_beam beam = beam_along_x("3333s", 2, section, E, 0.3, 1);
-    hobe_model *model = cantilever(&beam, 0);
     hobe_solution *solution;
     add_force(model, "beam", 1, 0, 0, 1);
     check_that(hobe_static(model, &BY_SERIES, &solution, &err) == HOBE_BAD_INPUT && !solution &&
-                   strstr(err.message, "3333s"),
-               "no polynomial: %s", err.message);
+                   strstr(err.message, words),
+               "%s: %s", words, err.message);
     hobe_model_free(model);
+}
+
+static enum hobe_status no_force(void *context, double t, const double x[3], const double v[3],
+                                 double F[3], struct hobe_error *err)
+{
+    (void)context, (void)t, (void)x, (void)v, (void)err;
+    F[0] = F[1] = F[2] = 0;
+    return HOBE_OK;
+}
+
+/* What has no power series, and what needs none. */
+static void refused(const hobe_section *section)
+{
+    struct hobe_error err;
+    const double point[2][2] = {{0, 0}, {1, 1}};
+    const struct hobe_beam beam = beam_along_x("3333s", 2, section, E, 0.3, 1);
+    struct hobe_beam heavy = beam_along_x("MGD30w", 2, section, E, 0.3, 1);
+    const struct hobe_spring spring = {.beam = {"beam"}, .kind = HOBE_SPRING_BUSHING, .at = {1}};
+    const struct hobe_force force = {.beam = "beam", .at = 1, .function = no_force};
+    const struct hobe_spin spin = {.axis = {0, 0, 1}, .speed = 1};
+    hobe_drive *drive = hobe_drive_points(2, point, HOBE_RAMP, 0, &err);
+    const struct hobe_joint driven = {
+        .beam = {"beam"}, .at = {1}, .kind = HOBE_JOINT_INLINE, .axis = {1}, .position = drive};
+    check_refusal(cantilever(&beam, 0), "that of 3333s (beam \"beam\") is none: use");
+    hobe_model *model = bent(section, 2, 0);
+    if (!drive || hobe_model_spring(model, &spring, &err))
+        check_stop("%s", err.message);
+    check_refusal(model, "no power series of springs; use method = \"newton\"");
     model = bent(section, 2, 0);
-    solution = solve_with(model, &BY_SERIES);
+    if (hobe_model_force(model, &force, &err))
+        check_stop("%s", err.message);
+    check_refusal(model, "no power series of forces that are functions of the state; use");
+    heavy.material.rho = 2700;
+    model = cantilever(&heavy, 0);
+    if (hobe_model_spin(model, &spin, &err))
+        check_stop("%s", err.message);
+    check_refusal(model, "no power series of a scene that spins; use");
+    model = bent(section, 2, 0);
+    add_joint(model, &driven);
+    check_refusal(model, "cannot follow a driven joint; use hobe.static with method = \"newton\"");
+    hobe_drive_free(drive);
+    model = bent(section, 2, 0);
+    hobe_solution *solution = solve_with(model, &BY_SERIES);
     check_that(info_of(solution).load == 1 && info_of(solution).steps == 0, "no load");
     hobe_solution_free(solution);
     hobe_model_free(model);
