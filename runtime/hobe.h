@@ -693,8 +693,9 @@ struct hobe_solution_info {
     double residual; /* of the last iteration */
     double change;   /* of the displacements by one more iteration, relative to their size, in the
                         norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
-                        and round-off leave open; NaN where the stiffness has no factors, 0 on a
-                        path or without load */
+                        and round-off leave open.  The stiffness there is that of the last iteration
+                        where the end was foreseen, else of the end; NaN where it has no factors, 0
+                        on a path or without load */
     double energy;   /* strain energy, that of springs included, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */

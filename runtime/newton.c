@@ -239,13 +239,15 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
     return GOING_ON;
 }
 
-/* Measures what one more iteration would change: a residual of round-off may move a slender beam
- * far.  FAILED where that leaves nothing. */
-static enum outcome measure_change(struct solver *s, struct hobe_error *err)
+/* Measures what one more iteration would change, by the factors of the last where there are no
+ * newer: a residual of round-off may move a slender beam far.  FAILED where that leaves nothing. */
+static enum outcome measure_change(struct solver *s, int factored, struct hobe_error *err)
 {
     const double size = solver_norm(s, s->u, -1);
-    const enum outcome outcome = size > 0 ? solver_factor(s, err) : FAILED;
     s->info.change = size > 0 ? NAN : 0;
+    if (size == 0)
+        return CONVERGED;
+    const enum outcome outcome = factored ? CONVERGED : solver_factor(s, err);
     if (outcome != CONVERGED)
         return outcome == ERROR ? ERROR : CONVERGED;
     if (solver_solve(s, s->r, -1, s->x, err))
@@ -261,12 +263,14 @@ static enum outcome measure_change(struct solver *s, struct hobe_error *err)
 static enum outcome iterate(struct solver *s, double factor, int line_search,
                             struct hobe_error *err)
 {
-    double first_energy = 0, first_norm = 0, last_norm = INFINITY;
+    double first_energy = 0, first_norm = 0, last_norm = INFINITY, expected = INFINITY;
     s->now.load = factor;
     s->now.line = s->now.energy = 1;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
         const int far = s->now.iteration > 0 && last_norm > NEAR * first_norm;
-        solver_evaluate(s, factor, far ? NEXT_TANGENT : TRUE_TANGENT);
+        const int over = expected <= s->options.tolerance * s->load_norm;
+        const enum tangent tangent = far ? NEXT_TANGENT : TRUE_TANGENT;
+        solver_evaluate(s, factor, over ? NO_TANGENT : tangent);
         const double norm = solver_norm(s, s->r, 1);
         if (model_failure(s->model, err))
             return ERROR;
@@ -274,7 +278,11 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
             first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
-            return outcome == CONVERGED ? measure_change(s, err) : outcome;
+            return outcome == CONVERGED ? measure_change(s, over, err) : outcome;
+        if (over)
+            solver_evaluate(s, factor, tangent);
+        const double share = s->now.iteration > 0 ? norm / last_norm : INFINITY;
+        expected = norm * share * share; /* it converges by squares */
         last_norm = norm;
         outcome = solver_factor(s, err);
         if (outcome != CONVERGED)
