@@ -548,7 +548,8 @@ static const struct hobe_lua_key static_keys[] = {
     NEWTON(start, KEY_RESULT,
            .doc = "a result to start from, at the full load, in one step, or if that fails from "
                   "the reference: of this scene or of one of the same shape, under another load "
-                  "or of other size; not by series"),
+                  "or of other size; not by series.  So a sweep goes from neighbour to neighbour: "
+                  "r = hobe.static(scene, { start = r })"),
     NEWTON(steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 1, .doc = "load steps to begin with"),
     NEWTON(time, KEY_NUMBER, KEY_FROM(0), .unit = "s",
            .doc = "when functions of time are taken; load steps go to the motions of joints there, "
