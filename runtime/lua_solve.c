@@ -99,9 +99,10 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("cutbacks", solution.cutbacks, 'i', NULL, "steps that were given up and halved"),
     SOLVED("factorisations", solution.factorisations, 'i', NULL, "factorisations in all"),
     SOLVED("residual", solution.residual, 'd', NULL, "relative residual at the end"),
-    SOLVED("change", solution.change, 'd', NULL,
-           "share by which one more iteration would change the displacements: what tolerance and "
-           "round-off leave open; 0 for points of a path"),
+    SOLVED(
+        "change", solution.change, 'd', NULL,
+        "share by which a last correction, beyond the tolerance, changed the displacements: what "
+        "round-off leaves open is less; 0 for points of a path"),
     SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
     SOLVED("negative", solution.negative, 'i', NULL,
            "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "

@@ -35,7 +35,7 @@ static const double ROUND_OFF = 8 * DBL_EPSILON;
 /* Below this share of the first residual of a step, its square adds no stress worth a thought. */
 static const double NEAR = 0.1;
 
-/* Displacements that one more iteration would change by more than this share are none. */
+/* Displacements that one more correction changes by more than this share are none. */
 static const double LOST = 0.01;
 
 void solver_log(struct solver *s, const char *note)
@@ -221,9 +221,10 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
     return GOING_ON;
 }
 
-/* Measures what one more iteration would change: a residual of round-off may move a slender beam
- * far.  FAILED where that leaves nothing. */
-static enum outcome measure_change(struct solver *s, struct hobe_error *err)
+/* One more correction, by the residual that was small enough, and what it changes: a residual of
+ * round-off may move a slender beam far, and its correction takes most of that back.  FAILED where
+ * that leaves nothing. */
+static enum outcome refine(struct solver *s, struct hobe_error *err)
 {
     const double size = solver_norm(s, s->u, -1);
     const enum outcome outcome = size > 0 ? solver_factor(s, err) : FAILED;
@@ -233,6 +234,7 @@ static enum outcome measure_change(struct solver *s, struct hobe_error *err)
     if (solver_solve(s, s->r, -1, s->x, err))
         return ERROR;
     s->info.change = correction_norm(s) / size;
+    solver_move(s, s->x, 1);
     if (s->info.change <= LOST)
         return CONVERGED;
     solver_log(s, "lost in round-off");
@@ -256,7 +258,7 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
             first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
-            return outcome == CONVERGED ? measure_change(s, err) : outcome;
+            return outcome == CONVERGED ? refine(s, err) : outcome;
         last_norm = norm;
         outcome = solver_factor(s, err);
         if (outcome != CONVERGED)
