@@ -53,7 +53,8 @@ end
 
 hobe.table{
   title = "The slider and the crank: closed forms beside the equilibria",
-  columns = { "t, s", "phi, rad", "x, m", "found", "torque, N m", "found", "power, W" }, rows = rows,
+  columns = { "t, s", "phi, rad", "x, m", "found", "torque, N m", "found", "power, W" },
+  rows = rows,
 }
 hobe.picture{
   file = "crank.png", title = "Crank and slider", states = states, colour = "mises",

@@ -6,16 +6,23 @@
 -- 8 x MGD30.  Expected: the extension of the rod that this element is along its axis, S = E e with
 -- Green-Lagrange's strain e, by shooting; and frequencies of an independent prototype.
 --
--- A slender bar, h/L = 1/400: Euler and Bernoulli's rotating beam.  First flapping frequencies
--- of Wright, Smith, Thresher & Wang 1982, J. Appl. Mech. 49, 197; higher ones by the power series of
+-- A slender bar, h/L = 1/400: Euler and Bernoulli's rotating beam.  First flapping frequencies of
+-- Wright, Smith, Thresher & Wang 1982, J. Appl. Mech. 49, 197; higher ones by the power series of
 --
 --     w'''' - eta^2/2 ((1 - x^2) w')' = mu^2 w,
 --
 -- eta and mu speed and frequency in sqrt(EI/(rho A))/L^2; lag is mu^2 - eta^2 (Southwell).  The
 -- diagram (Campbell's) shows where multiples of the speed meet frequencies.
+--
+-- Shafts that turn about their own axis at w: in the turning frame a round one whirls with omega - w
+-- and omega + w; a flat one, with a < b for omega in its two planes, moves as exp(lambda t),
+--
+--     lambda^4 + (a^2 + b^2 + 2 w^2) lambda^2 + (a^2 - w^2)(b^2 - w^2) = 0,
+--
+-- and is unstable for w from a to b (Smith 1933, Proc. R. Soc. A 142, 92).
 local hobe = require "hobe"
 
--- ---- the bar of the spin-up -----------------------------------------------------------------------
+-- ---- the bar of the spin-up --------------------------------------------------------------------
 
 local L, A, E, rho, speed = 10, 0.006, 4.6666667e9, 200, 6
 local side = math.sqrt(A)
@@ -60,7 +67,7 @@ local steady = hobe.static(scene)
 local at_rest, turning = hobe.modal(scene), hobe.modal(scene, { state = steady, modes = 4 })
 local extension = steady:displacement("bar", 1)[1]
 
--- ---- a slender blade ------------------------------------------------------------------------------
+-- ---- a slender blade ---------------------------------------------------------------------------
 
 -- Zero where mu is a flapping frequency at eta: w = sum a_k x^k with w''(1) = w'''(1) = 0.
 local function determinant(eta, mu)
@@ -146,7 +153,8 @@ end
 
 hobe.table{
   title = "Frequencies of the slender blade, in sqrt(EI/(rho A))/L^2",
-  columns = { "speed", "flap 1", "series", "Wright et al.", "flap 2", "series", "lag 1", "series" },
+  columns = { "speed", "flap 1", "series", "Wright et al.", "flap 2", "series", "lag 1",
+              "series" },
   rows = rows,
 }
 
@@ -169,7 +177,34 @@ hobe.plot{
   series = curves,
 }
 
+-- ---- shafts ------------------------------------------------------------------------------------
+
+local function shaft(section, w)
+  local s = hobe.scene{
+    hobe.beam{
+      name = "shaft", element = "MGD30", elements = 6, section = section,
+      material = { E = 210e9, nu = 0.3, rho = 7850 },
+      from = {0, 0, 0}, to = {2, 0, 0},
+    },
+    hobe.clamp{ "shaft", at = 0 },
+    hobe.spin{ axis = {1, 0, 0}, speed = w },
+  }
+  return hobe.modal(s, { state = hobe.static(s), modes = 2 }), hobe.modal(s, { modes = 2 })
+end
+
+local w = 20
+local round, still = shaft(hobe.circle{ radius = 0.02 }, w)
+local omega = still:frequency(1)
+local crest, quarter = round:shape(1, "shaft", 1), round:quadrature(1, "shaft", 1)
+local _, at_rest_flat = shaft(hobe.rectangle{ width = 0.04, height = 0.05 }, 0)
+local a, b = at_rest_flat:frequency(1), at_rest_flat:frequency(2)
+local between = (a + b)/2
+local flat = shaft(hobe.rectangle{ width = 0.04, height = 0.05 }, between)
+local half = (a^2 + b^2)/2 + between^2
+local growth = math.sqrt(math.sqrt(half^2 - (a^2 - between^2)*(b^2 - between^2)) - half)
+
 -- Wright et al. have four digits; the blade stretches by 4e-5 of its length, and shears.
+-- The inertia of the shafts' sections is of the order (h/L)^2 = 4e-4.
 hobe.report{
   extension   = { extension, "m", expect = rod(speed), within = 1e-6 },
   in_plane    = { turning:frequency(1), "rad/s", expect = 4.512, within = 1e-3 },
@@ -178,4 +213,11 @@ hobe.report{
   flap_at_6   = { flap[1][7], "", expect = 7.3604, within = 2e-5 },
   flap_at_12  = { flap[1][13], "", expect = 13.1702, within = 2e-5 },
   from_series = { highest, "" },
+  forward     = { round:frequency(1), "rad/s", expect = omega - w, within = 1e-3 },
+  backward    = { round:frequency(2), "rad/s", expect = omega + w, within = 1e-3 },
+  whirl       = { round:whirl(1) - round:whirl(2), "", expect = 2, within = 1e-3 },
+  circle      = { math.sqrt((quarter[2]^2 + quarter[3]^2)/(crest[2]^2 + crest[3]^2)), "",
+                  expect = 1, within = 1e-6 },
+  unstable    = { flat.unstable, "", expect = 1, within = 1e-9 },
+  growth      = { flat:growth(1), "1/s", expect = growth, within = 2e-3 },
 }

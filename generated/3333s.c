@@ -9,7 +9,7 @@
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 5
+#if HOBE_KERNEL_ABI != 7
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -898,7 +898,7 @@ static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, cons
         energy_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)U + h);
 }
 
-static void section_wise_force(const struct hobe_invariants *inv, const hobe_lanes *q0,
+static void force(const struct hobe_invariants *inv, const hobe_lanes *q0,
                                const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
 {
     (void)scratch;
@@ -906,7 +906,7 @@ static void section_wise_force(const struct hobe_invariants *inv, const hobe_lan
         force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h);
 }
 
-static void section_wise_tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
+static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
                                  const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
                                  hobe_lanes *scratch)
 {
@@ -932,7 +932,7 @@ static const double axis_rule[][2] = {
 
 extern const struct hobe_kernel HOBE_KERNEL(3333s);
 const struct hobe_kernel HOBE_KERNEL(3333s) = {
-    .abi = 5,
+    .abi = 7,
     .name = "3333s",
     .hash = "abcf9e0e56460d5e",
     .source = "Nachbagauer, Gruber & Gerstmayr 2013; Tang, Tian & Hu 2022, Table 7",
@@ -947,7 +947,7 @@ const struct hobe_kernel HOBE_KERNEL(3333s) = {
     .shears = NS,
     .flops_force = 3535,
     .flops_tangent = 32279,
-    .scratch = 252,
+    .scratch = 225,
     .node = node,
     .axis_rule = axis_rule,
     .vector = vector,
@@ -957,12 +957,16 @@ const struct hobe_kernel HOBE_KERNEL(3333s) = {
     .section_modes = section_modes,
     .invariants = invariants,
     .energy = energy,
-    .force = section_wise_force,
-    .tangent = section_wise_tangent,
-    .trilinear = NULL,
-    .tensor_size = NULL,
+    .force = force,
+    .tangent = tangent,
+    .axial = 0,
     .symmetry = NULL,
+    .section = NULL,
+    .section_cost = NULL,
     .tensor = NULL,
+    .tensor_cost = NULL,
+    .trilinear = NULL,
+    .series = NULL,
     .strain = strain,
     .warping_strain = NULL,
 };

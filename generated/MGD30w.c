@@ -5,15 +5,23 @@
  * modes 1 y z w
  * the energy is exact with 5 Gauss points on the axis
  * vectors (mode@node, ' for d/dx): 1@1 1'@1 y@1 z@1 w@1 y@2 z@2 w@2 1@3 1'@3 y@3 z@3 w@3
- * operations per element: force 9212, force and tangent 71492, energy 7162
- * as one tensor, section symmetric in neither: force 8249, force and tangent 61637
- * as one tensor, section symmetric in y: force 5225, force and tangent 33989
- * as one tensor, section symmetric in z: force 5225, force and tangent 33989
- * as one tensor, section symmetric in both: force 3713, force and tangent 20165
+ * operations per element: force 9212, force and tangent 58801, energy 7162
+ * from station to station, symmetric in nothing: 13052, 92161
+ * from station to station, symmetric in x: 9212, 58801
+ * from station to station, symmetric in y: 9212, 58801
+ * from station to station, symmetric in x y: 7292, 42121
+ * from station to station, symmetric in z: 9212, 58801
+ * from station to station, symmetric in x z: 7292, 42121
+ * from station to station, symmetric in y z: 7292, 42121
+ * from station to station, symmetric in x y z: 6332, 33781
+ * as one tensor, symmetric in x: 8249, 61637
+ * as one tensor, symmetric in x y: 5225, 33989
+ * as one tensor, symmetric in x z: 5225, 33989
+ * as one tensor, symmetric in x y z: 3713, 20165
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 5
+#if HOBE_KERNEL_ABI != 7
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -207,6 +215,11 @@ static void clear(double *x, int n)
 static const unsigned char warps[S] = {
     0, 0, 0, 1, 0, 0, 1,
 };
+
+static inline int larger(int i, int j)
+{
+    return i > j ? i : j;
+}
 
 static inline int symmetric(int i, int j)
 {
@@ -428,126 +441,271 @@ static void warping_strain(const double *N, const double *Nx, const double (*phi
     green_lagrange((const double(*)[S])g, (const double(*)[3])D0, (const double(*)[3])U, E);
 }
 
-/* ---- eqs. 27 and 28 as products with constant matrices (generator/tensor.py) ---- */
+#ifdef __AVX512F__
+enum { TALL = 1 }; /* 32 registers, for sums over more rows at a time */
+#else
+enum { TALL = 0 };
+#endif
+
+/* Rows and columns of products (generator/products.py). */
+struct products {
+    int columns, pairs;         /* vectors, and pairs t >= v of those */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const short *first_pair, *first_cross; /* of each class; without those with t = v */
+    const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
+    const short *skew_row, *first_skew_row;
+};
+
+/* ---- eqs. 27 and 28 as products with constant matrices (generator/products.py) ---- */
 
 enum {
-    COLUMNS = 12, /* sums and differences of nodal vectors */
-    PAIRS = 78,   /* of those */
-    BLOCKS = 91,  /* of the tangent, pairs of nodal vectors: a row each */
-    IMAGES = 32,  /* pairs of rows that are mirror images */
-    ALONE = 14,   /* rows that are their own */
-    CLASSES = 8,  /* of parities: 1 odd in x, 2 odd in y, 4 odd in z */
-    LAST = 8,     /* the last position */
-    OPPOSED = 1,  /* whether it is one of two: rows with the first are less those with it */
+    COLUMNS = 12,    /* sums and differences of nodal vectors */
+    PAIRS = 78,      /* of those */
+    BLOCKS = 91,     /* of the tangent, pairs of nodal vectors: a row each */
+    CLASSES = 8,     /* of parities: 1 odd in x, 2 odd in y, 4 odd in z */
+    LAST = 8,        /* the last position */
+    OPPOSED = 1,     /* whether it is one of two: rows with the first are less those with it */
+    MIRRORED = 1,    /* whether there are mirror images */
+    GRAMS = 28,      /* pairs of section vectors */
+    AXIAL = 392,     /* weights of a station for axial functions */
+    MOST_PAIRS = 78, /* of either kind */
 };
 
-/* of each section vector: 1 odd in y, 2 odd in z */
+/* of each section vector: 1 odd in x, 2 odd in y, 4 odd in z */
 static const unsigned char parity[] = {
-    0, 1, 2, 3, 1, 2, 3,
+    0,2,4,6,3,5,7,
 };
-/* of each nodal vector: its image about mid-length, in rows */
-static const short mirror_of[] = {
-    8, 9, 10, 11, 12, 5, 6, 7, 8, 1, 2, 3, 4,
+/* of each nodal vector: whether its image has the other sign */
+static const unsigned char odd_of[] = {
+    0,1,0,0,0,0,0,0,1,1,0,0,0,
 };
 /* of each column: q_left + sign q_right, less the last position where shifted; its
  * function is share (N_left + sign N_right) */
 static const short left[] = {
-    0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 6, 7,
+    0,1,1,2,2,3,3,4,4,5,6,7,
 };
 static const short right[] = {
-    8, 9, 9, 10, 10, 11, 11, 12, 12, 5, 6, 7,
+    8,9,9,10,10,11,11,12,12,5,6,7,
 };
 static const short shifted[] = {
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    0,0,0,0,0,0,0,0,0,0,0,0,
 };
 static const double sign[] = {
-    -1, -1, 1, 1, -1, 1, -1, 1, -1, 1, 1, 1,
+    -1,-1,1,1,-1,1,-1,1,-1,1,1,1,
 };
 static const double share[] = {
-    1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0, 1.0 / 2.0,
-    1.0 / 2.0, 1.0 / 4.0, 1.0 / 4.0, 1.0 / 4.0,
+    1.0 / 2.0,1.0 / 2.0,1.0 / 2.0,1.0 / 2.0,1.0 / 2.0,1.0 / 2.0,1.0 / 2.0,1.0 / 2.0,1.0 / 2.0,
+    1.0 / 4.0,1.0 / 4.0,1.0 / 4.0,
 };
-/* pairs of columns: those with t = v, then the others, by class */
-static const short pair_t[] = {
-    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 2, 9, 10, 11, 1, 2, 4, 6, 8, 9, 10, 11, 3, 4, 4, 7, 8,
-    9, 10, 11, 11, 3, 3, 4, 7, 8, 9, 9, 10, 11, 5, 6, 6, 7, 8, 9, 10, 11, 11, 5, 5, 6, 7, 8, 9,
-    10, 10, 11, 5, 6, 7, 8, 8, 9, 10, 10, 11, 5, 6, 7, 7, 8, 9, 10, 11, 11,
+/* nodal vectors in the order of their modes, those with rows */
+static const unsigned char by_mode[] = {
+    1,8,9,2,5,10,3,6,11,4,7,12,
 };
-static const short pair_v[] = {
-    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 3, 5, 7, 0, 1, 3, 5, 7, 4, 6, 8, 1, 0, 2, 5, 6, 1,
-    7, 5, 10, 0, 2, 1, 6, 5, 0, 2, 8, 6, 1, 0, 2, 3, 4, 7, 1, 3, 9, 0, 2, 1, 4, 3, 8, 0, 2, 4,
-    3, 4, 1, 0, 2, 5, 3, 9, 1, 4, 3, 0, 2, 1, 6, 4, 0, 2,
+/* where each mode begins */
+static const unsigned char first_of[] = {
+    0,3,6,9,12,
 };
-static const short first_pair[] = {
-    0, 16, 24, 33, 42, 51, 60, 69, 78,
-};
-static const short first_cross[] = {
-    12, 16, 24, 33, 42, 51, 60, 69, 78,
-};
-/* rows of Q and of the symmetric part, by class */
-static const short row[] = {
-    2, 5, 9, 14, 17, 20, 24, 27, 32, 35, 37, 44, 46, 57, 69, 82, 53, 54, 60, 65, 72, 77, 85, 90,
-    13, 25, 31, 34, 50, 56, 63, 64, 70, 4, 16, 38, 41, 47, 73, 81, 84, 89, 12, 19, 30, 33, 51,
-    59, 67, 74, 75, 7, 22, 39, 42, 48, 62, 80, 83, 88, 8, 18, 23, 26, 52, 58, 79, 86, 87, 11,
-    29, 40, 43, 49, 61, 68, 71, 76,
-};
-static const short first_row[] = {
-    0, 16, 24, 33, 42, 51, 60, 69, 78,
-};
-/* rows of the skew part, by class */
-static const short skew_row[] = {
-    53, 60, 72, 85, 17, 24, 32, 37, 46, 57, 69, 82, 13, 16, 34, 38, 47, 64, 73, 81, 84, 4, 25,
-    31, 41, 50, 56, 63, 70, 89, 12, 22, 33, 39, 48, 62, 75, 80, 83, 7, 19, 30, 42, 51, 59, 67,
-    74, 88, 8, 26, 29, 40, 49, 61, 68, 71, 87, 11, 18, 23, 43, 52, 58, 76, 79, 86,
-};
-static const short first_skew_row[] = {
-    0, 4, 12, 21, 30, 39, 48, 57, 66,
-};
-/* by the section's symmetry: how many classes a row meets, and its own class times which */
+/* by symmetry: how many classes a row meets, and its own class times which */
 static const short merged[] = {
-    4, 2, 2, 1,
+    8,4,4,2,4,2,2,1,
 };
 static const short merged_with[] = {
-    0, 2, 4, 6, 0, 4, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0,
+    0,1,2,3,4,5,6,7,0,2,4,6,0,0,0,0,0,1,4,5,0,0,0,0,0,4,0,0,0,0,0,0,0,1,2,3,0,0,0,0,0,2,0,0,0,0,
+    0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,
 };
-/* pairs of rows that are images, and rows that are their own */
-static const short image[] = {
-    2, 54, 4, 64, 5, 65, 7, 75, 8, 76, 9, 77, 11, 87, 12, 88, 13, 89, 14, 90, 16, 50, 17, 60,
-    18, 71, 19, 83, 22, 51, 23, 61, 24, 72, 25, 84, 29, 52, 30, 62, 31, 73, 32, 85, 37, 53, 38,
-    63, 39, 74, 40, 86, 47, 56, 48, 67, 49, 79, 58, 68, 59, 80, 70, 81,
+/* products of nodal vectors */
+static const unsigned char nodal_mirror[] = {
+    8,9,10,11,12,5,6,7,8,1,2,3,4,
 };
-static const short alone[] = {
-    20, 26, 27, 33, 34, 35, 41, 42, 43, 44, 46, 57, 69, 82,
+static const unsigned char nodal_pair_t[] = {
+    0,1,2,3,4,5,6,7,8,9,10,11,2,9,10,11,1,2,4,6,8,9,10,11,3,4,4,7,8,9,10,11,11,3,3,4,7,8,9,9,10,
+    11,5,6,6,7,8,9,10,11,11,5,5,6,7,8,9,10,10,11,5,6,7,8,8,9,10,10,11,5,6,7,7,8,9,10,11,11,
 };
+static const unsigned char nodal_pair_v[] = {
+    0,1,2,3,4,5,6,7,8,9,10,11,0,3,5,7,0,1,3,5,7,4,6,8,1,0,2,5,6,1,7,5,10,0,2,1,6,5,0,2,8,6,1,0,
+    2,3,4,7,1,3,9,0,2,1,4,3,8,0,2,4,3,4,1,0,2,5,3,9,1,4,3,0,2,1,6,4,0,2,
+};
+static const short nodal_first_pair[] = {
+    0,16,24,33,42,51,60,69,78,
+};
+static const short nodal_first_cross[] = {
+    12,16,24,33,42,51,60,69,78,
+};
+static const short nodal_row[] = {
+    2,5,9,14,17,20,24,27,32,35,37,44,46,57,69,82,53,54,60,65,72,77,85,90,13,25,31,34,50,56,63,
+    64,70,4,16,38,41,47,73,81,84,89,12,19,30,33,51,59,67,74,75,7,22,39,42,48,62,80,83,88,8,18,
+    23,26,52,58,79,86,87,11,29,40,43,49,61,68,71,76,
+};
+static const short nodal_skew_row[] = {
+    53,60,72,85,17,24,32,37,46,57,69,82,13,16,34,38,47,64,73,81,84,4,25,31,41,50,56,63,70,89,12,
+    22,33,39,48,62,75,80,83,7,19,30,42,51,59,67,74,88,8,26,29,40,49,61,68,71,87,11,18,23,43,52,
+    58,76,79,86,
+};
+static const short nodal_first_skew_row[] = {
+    0,4,12,21,30,39,48,57,66,
+};
+static const struct products nodal[1] = {{ 12, 78, nodal_mirror, nodal_pair_t, nodal_pair_v,
+    nodal_first_pair, nodal_first_cross, nodal_row, nodal_first_pair, nodal_skew_row,
+    nodal_first_skew_row}};
+/* products of section vectors */
+static const unsigned char sectional_mirror[] = {
+    0,1,2,3,4,5,6,
+};
+static const unsigned char sectional_pair_t[] = {
+    0,1,2,3,4,5,6,4,5,6,1,3,6,4,5,6,2,3,6,4,5,6,2,3,5,4,5,6,
+};
+static const unsigned char sectional_pair_v[] = {
+    0,1,2,3,4,5,6,1,2,3,0,2,5,0,3,2,0,1,4,3,0,1,1,0,4,2,1,0,
+};
+static const short sectional_first_pair[] = {
+    0,7,10,13,16,19,22,25,28,
+};
+static const short sectional_first_cross[] = {
+    7,7,10,13,16,19,22,25,28,
+};
+static const short sectional_row[] = {
+    0,2,5,9,14,20,27,11,17,24,1,8,26,10,18,23,3,7,25,13,15,22,4,6,19,12,16,21,
+};
+static const struct products sectional[1] = {{ 7, 28, sectional_mirror, sectional_pair_t,
+    sectional_pair_v, sectional_first_pair, sectional_first_cross, sectional_row,
+    sectional_first_pair, sectional_row, sectional_first_cross}};
 
-/* Which parities the section keeps apart (kernel.h): of the entries of Q that are odd in y, or in
- * z, none may be more than rounding. */
-static int symmetry(const struct hobe_invariants *inv)
+/* Q_rc of all Gram entries, the normal block before the shear block, at a station. */
+static double law_entry(const struct hobe_invariants *inv, int g, int r, int c)
+{
+    if (r < NN && c < NN)
+        return inv->Qn[inv->step_n * g + r * NN + c];
+    if (r >= NN && c >= NN)
+        return inv->Qs[inv->step_s * g + (r - NN) * NS + c - NN];
+    if (!inv->Qc)
+        return 0.0;
+    return inv->Qc[inv->step_c * g + (r < c ? r : c) * NS + (r < c ? c : r) - NN];
+}
+
+/* The classes of pairs that the law of a station mixes, as bits that differ: entries of Q beyond
+ * rounding. */
+static int mixed(const struct hobe_invariants *inv, int g)
 {
     const double rounding = 1e-13;
     double size[NN + NS];
-    int odd[NN + NS], kept = 3;
+    int odd[NN + NS], found = 0;
     for (int i = 0; i < S; i++)
         for (int k = 0; k <= i; k++) {
-            const int r = gram_entry(k, i), s = r - NN;
-            const int ii = gram_entry(i, i), kk = gram_entry(k, k);
+            const int r = gram_entry(k, i), ii = gram_entry(i, i), kk = gram_entry(k, k);
             odd[r] = parity[i] ^ parity[k];
-            size[r] = __builtin_fabs(s < 0 ? inv->Qn[r * NN + r] : inv->Qs[s * NS + s]);
-            if (s < 0) /* its own may vanish: of warping functions the law may know means alone */
+            size[r] = __builtin_fabs(law_entry(inv, g, r, r));
+            if (r < NN) /* its own may vanish: of warping functions the law may know means alone */
                 size[r] += __builtin_sqrt(
-                    __builtin_fabs(inv->Qn[ii * NN + ii] * inv->Qn[kk * NN + kk]));
+                    __builtin_fabs(law_entry(inv, g, ii, ii) * law_entry(inv, g, kk, kk)));
         }
-    for (int block = 0; block < 2; block++) {
-        const int n = block ? NS : NN, first = block * NN;
-        const double *Q = block ? inv->Qs : inv->Qn;
-        for (int r = 0; r < n; r++)
-            for (int c = 0; c < r; c++) {
-                const double q = Q[r * n + c] / rounding;
-                if (q * q > size[first + r] * size[first + c])
-                    kept &= ~(odd[first + r] ^ odd[first + c]);
-            }
-    }
+    for (int r = 0; r < NN + NS; r++)
+        for (int c = 0; c < r; c++) {
+            const double q = law_entry(inv, g, r, c) / rounding;
+            if (q * q > size[r] * size[c])
+                found |= odd[r] ^ odd[c];
+        }
+    return found;
+}
+
+/* Which parities the element keeps apart (kernel.h). */
+static int symmetry(const struct hobe_invariants *inv)
+{
+    int kept = HOBE_SYMMETRIES - 1;
+    for (int g = 0; g < (inv->step_n ? inv->stations : 1); g++)
+        kept &= ~mixed(inv, g);
     return kept;
+}
+
+/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the
+ * column (t, v), of one station or of all. */
+typedef void coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
+                          double c[3]);
+
+/* From A_(ij)(tv), A_(it)(jv) and A_(iv)(jt). */
+static void split(int t, int v, double c[3])
+{
+    const double first = c[1], second = t == v ? 0.0 : c[2];
+    c[1] = first + second;
+    c[2] = 0.5 * (first - second);
+}
+
+/* The vectors i >= j of a row, or of its mirror image if that comes first: both are parts of that
+ * one's. */
+static void row_vectors(const struct products *of, int r, int *i, int *j)
+{
+    for (int n = 0; n < 2; n++) {
+        for (*i = 0; hobe_pair(*i + 1, 0) <= r; ++*i)
+            ;
+        *j = r - hobe_pair(*i, 0);
+        const int other = symmetric(of->mirror[*i], of->mirror[*j]);
+        r = other < r ? other : r;
+    }
+}
+
+/* The place, among the coefficients of a class of rows, of the one of row r and column p where sums
+ * are taken over so many rows at a time as `height` says, down to 1. */
+static int place(int rows, int columns, const int *height, int r, int p)
+{
+    int start = 0;
+    while (r >= start + (rows - start) / *height * *height)
+        start += (rows - start) / *height * *height, height++;
+    const int within = (r - start) % *height;
+    return (r - within) * columns + p * *height + within;
+}
+
+/* How many columns meet the rows of class c; their numbers to pair[], unless that is NULL. */
+static int meets(int symmetry, int c, const short *first, int *pair)
+{
+    int count = 0;
+    for (int m = 0; m < merged[symmetry]; m++) {
+        const int k = c ^ merged_with[CLASSES * symmetry + m];
+        for (int p = first[k]; p < first[k + 1]; p++, count++)
+            if (pair)
+                pair[count] = p;
+    }
+    return count;
+}
+
+/* The coefficients of the rows of class c: of sums first <= s < last to H[s], which move on. */
+static void row_coefficients(const struct products *of, coefficients *value,
+                             const struct hobe_invariants *inv, int g, int c, int first, int last,
+                             double *H[3])
+{
+    static const int height[3][3] = {{4, 2, 1}, {TALL ? 4 : 2, 2, 1}, {4, 2, 1}};
+    const int skew = first == 2;
+    const short *row = skew ? of->skew_row : of->row;
+    const short *start = skew ? of->first_skew_row : of->first_row;
+    const int rows = start[c + 1] - start[c];
+    int pair[MOST_PAIRS];
+    const int columns = meets(inv->symmetry, c, skew ? of->first_cross : of->first_pair, pair);
+    for (int r = 0; r < rows; r++) {
+        int i, j;
+        row_vectors(of, row[start[c] + r], &i, &j);
+        for (int p = 0; p < columns; p++) {
+            double all[3];
+            value(inv, g, i, j, of->pair_t[pair[p]], of->pair_v[pair[p]], all);
+            for (int s = first; s < last; s++)
+                H[s][place(rows, columns, height[s], r, p)] = all[s];
+        }
+    }
+    for (int s = first; s < last; s++)
+        H[s] += rows * columns;
+}
+
+/* All coefficients, in the order in which the sums read them. */
+static void fill_products(const struct products *of, coefficients *value,
+                          const struct hobe_invariants *inv, int g, double *to)
+{
+    int count = 0;
+    for (int c = 0; c < CLASSES; c++)
+        count += (of->first_row[c + 1] - of->first_row[c]) *
+                 meets(inv->symmetry, c, of->first_pair, NULL);
+    double *H[3] = {to, to + count, to + 2 * count};
+    for (int c = 0; c < CLASSES; c++) {
+        row_coefficients(of, value, inv, g, c, 0, 2, H); /* of Q and of the symmetric part */
+        row_coefficients(of, value, inv, g, c, 2, 3, H); /* of the skew part */
+    }
 }
 
 /* a[16] = int of the axial functions of vectors i, j and columns t, v (e = 0..3) over the length:
@@ -595,89 +753,65 @@ static double tensor_entry(const struct hobe_invariants *inv, const double a[16]
     return sum;
 }
 
-/* The coefficients c[3] of Q, of the symmetric and of the skew part, of the pair of columns p in
- * the row of vectors i, j. */
-static void coefficients(const struct hobe_invariants *inv, int i, int j, int p, double c[3])
+static void nodal_coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
+                               double c[3])
 {
     static const int order[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
-    const int t = pair_t[p], v = pair_v[p];
     const int k[4] = {mode[i], mode[j], mode[left[t]], mode[left[v]]};
     double a[16];
+    (void)g; /* of all */
     axial_integrals(inv, i, j, t, v, a);
     for (int n = 0; n < 3; n++)
         c[n] = tensor_entry(inv, a, k, order[n]);
-    const double first = c[1], second = t == v ? 0.0 : c[2];
-    c[1] = first + second;
-    c[2] = 0.5 * (first - second);
-}
-
-/* The vectors i >= j of a row, or of its mirror image if that comes first: both are parts of that
- * one's. */
-static void row_vectors(int r, int *i, int *j)
-{
-    for (int n = 0; n < 2; n++) {
-        for (*i = 0; hobe_pair(*i + 1, 0) <= r; ++*i)
-            ;
-        *j = r - hobe_pair(*i, 0);
-        const int other = symmetric(mirror_of[*i], mirror_of[*j]);
-        r = other < r ? other : r;
-    }
-}
-
-/* The place, among the coefficients of a class of rows, of the one of row r and column p where sums
- * are taken over `height` rows at a time. */
-static int place(int rows, int columns, int height, int r, int p)
-{
-    const int together = r < rows / height * height ? height : 1;
-    return (r - r % together) * columns + p * together + r % together;
-}
-
-/* How many columns meet the rows of class c; their numbers to pair[], unless that is NULL. */
-static int meets(const struct hobe_invariants *inv, int c, const short *first, int *pair)
-{
-    int count = 0;
-    for (int m = 0; m < merged[inv->symmetry]; m++) {
-        const int k = c ^ merged_with[4 * inv->symmetry + m];
-        for (int p = first[k]; p < first[k + 1]; p++, count++)
-            if (pair)
-                pair[count] = p;
-    }
-    return count;
-}
-
-/* The coefficients of the rows of class c: of sums first <= s < last to H[s], which move on. */
-static void row_coefficients(const struct hobe_invariants *inv, int c, int first, int last,
-                             double *H[3])
-{
-    static const int height[3] = {4, 2, 4};
-    const short *of = first == 2 ? skew_row : row, *start = first == 2 ? first_skew_row : first_row;
-    const int rows = start[c + 1] - start[c];
-    int pair[PAIRS];
-    const int columns = meets(inv, c, first == 2 ? first_cross : first_pair, pair);
-    for (int r = 0; r < rows; r++) {
-        int i, j;
-        row_vectors(of[start[c] + r], &i, &j);
-        for (int p = 0; p < columns; p++) {
-            double value[3];
-            coefficients(inv, i, j, pair[p], value);
-            for (int s = first; s < last; s++)
-                H[s][place(rows, columns, height[s], r, p)] = value[s];
-        }
-    }
-    for (int s = first; s < last; s++)
-        H[s] += rows * columns;
+    split(t, v, c);
 }
 
 static void tensor(const struct hobe_invariants *inv)
 {
-    int count = 0;
-    for (int c = 0; c < CLASSES; c++)
-        count += (first_row[c + 1] - first_row[c]) * meets(inv, c, first_pair, NULL);
-    double *H[3] = {inv->tensor, inv->tensor + count, inv->tensor + 2 * count};
-    for (int c = 0; c < CLASSES; c++) {
-        row_coefficients(inv, c, 0, 2, H); /* of Q and of the symmetric part */
-        row_coefficients(inv, c, 2, 3, H); /* of the skew part */
+    fill_products(nodal, nodal_coefficients, inv, 0, inv->tensor);
+}
+
+static void sectional_coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t,
+                                   int v, double c[3])
+{
+    const int pair[3][4] = {{i, j, t, v}, {i, t, j, v}, {i, v, j, t}};
+    for (int n = 0; n < 3; n++) {
+        const int *p = pair[n];
+        c[n] = law_entry(inv, g, gram_entry(p[0] < p[1] ? p[0] : p[1], larger(p[0], p[1])),
+                         gram_entry(p[2] < p[3] ? p[2] : p[3], larger(p[2], p[3])));
     }
+    split(t, v, c);
+}
+
+/* weight[A][A][2][4]: of two axial functions at the stations g and h, mirror images, the parts
+ * (c + s c')/2 and (c - s c')/2 of their products, both derived, the first, the second, none. */
+static void axial_weights(const struct hobe_invariants *inv, int g, int h, double *weight)
+{
+    for (int a = 0; a < A; a++)
+        for (int b = 0; b < A; b++, weight += 8) {
+            int v = 0, w = 0;
+            while (axial_of[v] != a)
+                v++;
+            while (axial_of[w] != b)
+                w++;
+            for (int n = 0; n < 4; n++) {
+                const double *F = n & 2 ? inv->N : inv->Nx, *G = n & 1 ? inv->N : inv->Nx;
+                const double here = inv->wx[g] * F[V * g + v] * G[V * g + w];
+                const double there = inv->wx[h] * F[V * h + v] * G[V * h + w];
+                const double other = n == 1 || n == 2 ? -there : there;
+                weight[n] = MIRRORED ? 0.5 * (here + other) : here;
+                weight[4 + n] = MIRRORED ? 0.5 * (here - other) : 0.0;
+            }
+        }
+}
+
+static void section(const struct hobe_invariants *inv)
+{
+    double *H = inv->section + AXIAL * inv->stations;
+    for (int g = 0; g < inv->stations; g++)
+        axial_weights(inv, g, inv->stations - 1 - g, inv->section + AXIAL * g);
+    for (int g = 0; g < (inv->step ? inv->stations : 1); g++)
+        fill_products(sectional, sectional_coefficients, inv, g, H + inv->step * g);
 }
 
 /* D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0) */
@@ -718,487 +852,26 @@ static void gather(const hobe_real *q, hobe_real *x)
     }
 }
 
-/* K_vw += w (N_v', N_v) [C] (N_w', N_w)^T for v >= w */
-static void expand(const double *N, const double *Nx, double w, const hobe_real *C, hobe_real *K)
+/* gamma_tv = B_t.C_v + C_t.B_v, gamma_tt = B_t.C_t: with B = y0 + u/2, C = u the Gram
+ * differences y_t.y_v - y0_t.y0_v without cancellation, half of them where t = v */
+static void column_differences(const struct products *of, const hobe_real *B, const hobe_real *C,
+                               hobe_real *gamma)
 {
-    for (int v = 0; v < V; v++) {
-        for (int u = 0; u < v + 1; u++) {
-            const int i = mode[v];
-            const int j = mode[u];
-            hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(v, u);
-            const double cxx = w * Nx[v] * Nx[u], cx = w * Nx[v] * N[u];
-            const double xc = w * N[v] * Nx[u], cc = w * N[v] * N[u];
-            for (int e = 0; e < 9; e++) {
-                k[e * HOBE_PARTS] += cxx * C[9 * ((i) * S + j) + e];
-            }
-            if (j > 0) {
-                for (int e = 0; e < 9; e++) {
-                    k[e * HOBE_PARTS] += cx * C[9 * ((i) * S + M - 1 + j) + e];
-                }
-            }
-            if (i > 0) {
-                for (int e = 0; e < 9; e++) {
-                    k[e * HOBE_PARTS] += xc * C[9 * ((M - 1 + i) * S + j) + e];
-                }
-            }
-            if (i > 0 && j > 0) {
-                for (int e = 0; e < 9; e++) {
-                    k[e * HOBE_PARTS] += cc * C[9 * ((M - 1 + i) * S + M - 1 + j) + e];
-                }
-            }
-        }
+    for (int p = 0; p < of->columns; p++) {
+        const int t = 3 * of->pair_t[p];
+        gamma[p] = dot(B + t, C + t);
+    }
+    for (int p = of->columns; p < of->pairs; p++) {
+        const int t = 3 * of->pair_t[p], v = 3 * of->pair_v[p];
+        gamma[p] = dot(B + t, C + v) + dot(C + t, B + v);
     }
 }
 
-/* s_IJ = B_I.C_J + C_I.B_J, s_II = B_I.C_I: with B = D0 + U/2, C = U the Gram differences
- * D_I.D_J - D0_I.D0_J without cancellation */
-static void differences(const hobe_real *B, const hobe_real *C, hobe_real *n, hobe_real *s)
+/* X[pairs][6]: xx, yy, zz, 2yz, 2xz, 2xy of y_t with y_v; Z[pairs - columns][3] = y_t x y_v */
+static void products(const struct products *of, const hobe_real *y, hobe_real *X, hobe_real *Z)
 {
-    hobe_real *values = n + NA;
-    for (int i = 0; i < M; i++) {
-        for (int j = 0; j < i; j++) {
-            n[hobe_pair(i, j)] = dot(B + 3 * i, C + 3 * j) + dot(B + 3 * j, C + 3 * i);
-        }
-        n[hobe_pair(i, i)] = dot(B + 3 * i, C + 3 * i);
-    }
-    for (int i = M; i < S; i++) {
-        for (int j = M; j < i; j++) {
-            values[hobe_pair(i - M, j - M)] = dot(B + 3 * i, C + 3 * j) + dot(B + 3 * j, C + 3 * i);
-        }
-        values[hobe_pair(i - M, i - M)] = dot(B + 3 * i, C + 3 * i);
-    }
-    for (int i = 0; i < M; i++) {
-        for (int j = M; j < S; j++) {
-            s[i * (M - 1) + j - M] = dot(B + 3 * i, C + 3 * j) + dot(B + 3 * j, C + 3 * i);
-        }
-    }
-}
-
-/* sigma = Q s, the stress resultants conjugate to the Gram differences */
-static void stress(const double *Qn, const double *Qs, const double *Qc, const hobe_real *n,
-                   const hobe_real *s, hobe_real *tn, hobe_real *ts)
-{
-    for (int r = 0; r < NN; r++) {
-        tn[r] = zero;
-    }
-    for (int c = 0; c < NN; c++) {
-        for (int r = 0; r < NN; r++) {
-            tn[r] += Qn[c * NN + r] * n[c];
-        }
-    }
-    for (int r = 0; r < NS; r++) {
-        ts[r] = zero;
-    }
-    for (int c = 0; c < NS; c++) {
-        for (int r = 0; r < NS; r++) {
-            ts[r] += Qs[c * NS + r] * s[c];
-        }
-    }
-    if (Qc) {
-        for (int r = 0; r < NN; r++) {
-            for (int c = 0; c < NS; c++) {
-                tn[r] += Qc[r * NS + c] * s[c];
-                ts[c] += Qc[r * NS + c] * n[r];
-            }
-        }
-    }
-}
-
-/* P_I = dW/dD_I = sum_J sigma_IJ D_J */
-static void section_force(const hobe_real *tn, const hobe_real *ts, const hobe_real *D,
-                          hobe_real *P)
-{
-    for (int i = 0; i < 3 * S; i++) {
-        P[i] = zero;
-    }
-    for (int i = 0; i < M; i++) {
-        for (int j = 0; j < M; j++) {
-            const hobe_real t = tn[symmetric(i, j)];
-            for (int a = 0; a < 3; a++) {
-                P[3 * i + a] += t * D[3 * j + a];
-            }
-        }
-        for (int j = M; j < S; j++) {
-            const hobe_real t = ts[i * (M - 1) + j - M];
-            for (int a = 0; a < 3; a++) {
-                P[3 * i + a] += t * D[3 * j + a];
-            }
-        }
-    }
-    for (int i = M; i < S; i++) {
-        for (int j = 0; j < M; j++) {
-            const hobe_real t = ts[j * (M - 1) + i - M];
-            for (int a = 0; a < 3; a++) {
-                P[3 * i + a] += t * D[3 * j + a];
-            }
-        }
-        for (int j = M; j < S; j++) {
-            const hobe_real t = tn[NA + symmetric(i - M, j - M)];
-            for (int a = 0; a < 3; a++) {
-                P[3 * i + a] += t * D[3 * j + a];
-            }
-        }
-    }
-}
-
-/* section vectors of b/2 and of c */
-static void polar(const double *N, const double *Nx, const hobe_real *b, const hobe_real *c,
-                  hobe_real *B, hobe_real *C)
-{
-    section_vectors(N, Nx, b, B);
-    section_vectors(N, Nx, c, C);
-    for (int i = 0; i < 3 * S; i++) {
-        B[i] = 0.5 * B[i];
-    }
-}
-
-/* f = T(a; b, c): sigma = Q s(b, c), the Gram entries in polar form, applied to D(a) */
-static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *qa,
-                           const hobe_real *qb, const hobe_real *qc, hobe_real *f)
-{
-    hobe_real xa[3 * V];
-    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
-    hobe_real n[NN], s[NS], tn[NN], ts[NS];
-    gather(qa, xa);
-    gather(qb, x0);
-    gather(qc, x);
-    for (int i = 0; i < 3 * V; i++) {
-        f[i * HOBE_PARTS] = zero;
-    }
-    for (int g = 0; g < inv->stations; g++) {
-        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
-        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
-        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
-        polar(N, Nx, x0, x, B, U);
-        differences(B, U, n, s);
-        stress(Qn, Qs, Qc, n, s, tn, ts);
-        section_vectors(N, Nx, xa, B);
-        section_force(tn, ts, B, U);
-        for (int v = 0; v < V; v++) {
-            const int k = mode[v];
-            const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
-            for (int a = 0; a < 3; a++) {
-                f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
-            }
-            if (k > 0) {
-                for (int a = 0; a < 3; a++) {
-                    f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
-                }
-            }
-        }
-    }
-}
-
-/* Adds to T_r = sum_L Q_r(JL) D_L what couples the normal and the shear block */
-static void coupled_column(const double *Qc, int j, const hobe_real *D, hobe_real *Tn,
-                           hobe_real *Ts)
-{
-    if (j < M) {
-        for (int r = 0; r < NN; r++) {
-            for (int l = M; l < S; l++) {
-                for (int a = 0; a < 3; a++) {
-                    Tn[3 * r + a] += Qc[(r) * NS + j * (M - 1) + l - M] * D[3 * l + a];
-                }
-            }
-        }
-        for (int r = 0; r < NS; r++) {
-            for (int l = 0; l < M; l++) {
-                for (int a = 0; a < 3; a++) {
-                    Ts[3 * r + a] += Qc[(symmetric(j, l)) * NS + r] * D[3 * l + a];
-                }
-            }
-        }
-    }
-    if (j >= M) {
-        for (int r = 0; r < NN; r++) {
-            for (int l = 0; l < M; l++) {
-                for (int a = 0; a < 3; a++) {
-                    Tn[3 * r + a] += Qc[(r) * NS + l * (M - 1) + j - M] * D[3 * l + a];
-                }
-            }
-        }
-        for (int r = 0; r < NS; r++) {
-            for (int l = M; l < S; l++) {
-                for (int a = 0; a < 3; a++) {
-                    Ts[3 * r + a] += Qc[(NA + symmetric(j - M, l - M)) * NS + r] * D[3 * l + a];
-                }
-            }
-        }
-    }
-}
-
-/* C_IJ = d2W/dD_I dD_J = sum_K D_K T_(IK)^T + sigma_IJ 1, all S x S blocks, by columns:
- * T_r = sum_L Q_r(JL) D_L is the change of every stress resultant with D_J */
-static void section_stiffness(const double *Qn, const double *Qs, const double *Qc,
-                              const hobe_real *tn, const hobe_real *ts, const hobe_real *D,
-                              hobe_real *C, hobe_real *T)
-{
-    hobe_real *Tn = T, *Ts = T + 3 * NN;
-    for (int j = 0; j < S; j++) {
-        if (j < M) {
-            for (int r = 0; r < NN; r++) {
-                hobe_real sum[3] = {zero, zero, zero};
-                for (int l = 0; l < M; l++) {
-                    for (int a = 0; a < 3; a++) {
-                        sum[a] += Qn[r * NN + symmetric(j, l)] * D[3 * l + a];
-                    }
-                }
-                for (int a = 0; a < 3; a++) {
-                    Tn[3 * r + a] = sum[a];
-                }
-            }
-            for (int r = 0; r < NS; r++) {
-                hobe_real sum[3] = {zero, zero, zero};
-                for (int l = M; l < S; l++) {
-                    for (int a = 0; a < 3; a++) {
-                        sum[a] += Qs[r * NS + j * (M - 1) + l - M] * D[3 * l + a];
-                    }
-                }
-                for (int a = 0; a < 3; a++) {
-                    Ts[3 * r + a] = sum[a];
-                }
-            }
-        }
-        if (j >= M) {
-            for (int r = 0; r < NN; r++) {
-                hobe_real sum[3] = {zero, zero, zero};
-                for (int l = M; l < S; l++) {
-                    for (int a = 0; a < 3; a++) {
-                        sum[a] += Qn[r * NN + NA + symmetric(j - M, l - M)] * D[3 * l + a];
-                    }
-                }
-                for (int a = 0; a < 3; a++) {
-                    Tn[3 * r + a] = sum[a];
-                }
-            }
-            for (int r = 0; r < NS; r++) {
-                hobe_real sum[3] = {zero, zero, zero};
-                for (int l = 0; l < M; l++) {
-                    for (int a = 0; a < 3; a++) {
-                        sum[a] += Qs[r * NS + l * (M - 1) + j - M] * D[3 * l + a];
-                    }
-                }
-                for (int a = 0; a < 3; a++) {
-                    Ts[3 * r + a] = sum[a];
-                }
-            }
-        }
-        if (Qc) {
-            coupled_column(Qc, j, D, Tn, Ts);
-        }
-        for (int i = j; i < S; i++) {
-            hobe_real sum[9] = {zero, zero, zero, zero, zero, zero, zero, zero, zero};
-            hobe_real t = zero;
-            if (i < M) {
-                t = tn[symmetric(i, j)];
-                for (int l = 0; l < M; l++) {
-                    const int r = symmetric(i, l);
-                    for (int a = 0; a < 3; a++) {
-                        for (int b = 0; b < 3; b++) {
-                            sum[3 * a + b] += D[3 * l + a] * Tn[3 * r + b];
-                        }
-                    }
-                }
-                for (int l = M; l < S; l++) {
-                    const int r = i * (M - 1) + l - M;
-                    for (int a = 0; a < 3; a++) {
-                        for (int b = 0; b < 3; b++) {
-                            sum[3 * a + b] += D[3 * l + a] * Ts[3 * r + b];
-                        }
-                    }
-                }
-            }
-            if (i >= M && j < M) {
-                t = ts[j * (M - 1) + i - M];
-            }
-            if (i >= M && j >= M) {
-                t = tn[NA + symmetric(i - M, j - M)];
-            }
-            if (i >= M) {
-                for (int l = 0; l < M; l++) {
-                    const int r = l * (M - 1) + i - M;
-                    for (int a = 0; a < 3; a++) {
-                        for (int b = 0; b < 3; b++) {
-                            sum[3 * a + b] += D[3 * l + a] * Ts[3 * r + b];
-                        }
-                    }
-                }
-                for (int l = M; l < S; l++) {
-                    const int r = NA + symmetric(i - M, l - M);
-                    for (int a = 0; a < 3; a++) {
-                        for (int b = 0; b < 3; b++) {
-                            sum[3 * a + b] += D[3 * l + a] * Tn[3 * r + b];
-                        }
-                    }
-                }
-            }
-            for (int a = 0; a < 3; a++) {
-                sum[4 * a] += t;
-            }
-            for (int a = 0; a < 3; a++) {
-                for (int b = 0; b < 3; b++) {
-                    C[9 * (i * S + j) + 3 * a + b] = sum[3 * a + b];
-                    C[9 * (j * S + i) + 3 * b + a] = sum[3 * a + b];
-                }
-            }
-        }
-    }
-}
-
-/* f = dU/dq, eq. 27, for one part of a batch */
-static void force_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
-                       hobe_real *f)
-{
-    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
-    hobe_real n[NN], s[NS], tn[NN], ts[NS];
-    gather(q0, x0);
-    gather(u, x);
-    for (int i = 0; i < 3 * V; i++) {
-        f[i * HOBE_PARTS] = zero;
-    }
-    for (int g = 0; g < inv->stations; g++) {
-        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
-        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
-        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
-        section_vectors(N, Nx, x0, B);
-        section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
-            B[i] += 0.5 * U[i];
-        }
-        differences(B, U, n, s);
-        stress(Qn, Qs, Qc, n, s, tn, ts);
-        /* D = D0 + U */
-        for (int i = 0; i < 3 * S; i++) {
-            B[i] += 0.5 * U[i];
-        }
-        section_force(tn, ts, B, U);
-        for (int v = 0; v < V; v++) {
-            const int k = mode[v];
-            const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
-            for (int a = 0; a < 3; a++) {
-                f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
-            }
-            if (k > 0) {
-                for (int a = 0; a < 3; a++) {
-                    f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
-                }
-            }
-        }
-    }
-}
-
-/* U = sum_g w_g s.sigma/2, eq. 26 */
-static void energy_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
-                        hobe_real *energy)
-{
-    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
-    hobe_real n[NN], s[NS], tn[NN], ts[NS];
-    gather(q0, x0);
-    gather(u, x);
-    hobe_real sum = zero;
-    for (int g = 0; g < inv->stations; g++) {
-        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
-        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
-        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
-        section_vectors(N, Nx, x0, B);
-        section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
-            B[i] += 0.5 * U[i];
-        }
-        differences(B, U, n, s);
-        stress(Qn, Qs, Qc, n, s, tn, ts);
-        hobe_real w = zero;
-        for (int r = 0; r < NN; r++) {
-            w += n[r] * tn[r];
-        }
-        for (int r = 0; r < NS; r++) {
-            w += s[r] * ts[r];
-        }
-        const double half = 0.5 * inv->wx[g];
-        sum += half * w;
-    }
-    energy[0] = sum;
-}
-
-/* f as in force_part and K = df/dq, eq. 28; C: scratch for the section stiffness */
-static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
-                         const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *C)
-{
-    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S];
-    hobe_real n[NN], s[NS], tn[NN], ts[NS];
-    gather(q0, x0);
-    gather(u, x);
-    for (int i = 0; i < 3 * V; i++) {
-        f[i * HOBE_PARTS] = zero;
-    }
-    for (int i = 0; i < 9 * V * (V + 1) / 2; i++) {
-        K[i * HOBE_PARTS] = zero;
-    }
-    for (int g = 0; g < inv->stations; g++) {
-        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
-        const double *Qn = inv->Qn + inv->step_n * g, *Qs = inv->Qs + inv->step_s * g;
-        const double *Qc = inv->Qc ? inv->Qc + inv->step_c * g : NULL;
-        section_vectors(N, Nx, x0, B);
-        section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
-            B[i] += 0.5 * U[i];
-        }
-        differences(B, U, n, s);
-        stress(Qn, Qs, Qc, n, s, tn, ts);
-        /* D = D0 + U */
-        for (int i = 0; i < 3 * S; i++) {
-            B[i] += 0.5 * U[i];
-        }
-        section_stiffness(Qn, Qs, Qc, tn, ts, B, C, C + 9 * S * S);
-        expand(N, Nx, inv->wx[g], C, K);
-        section_force(tn, ts, B, U);
-        for (int v = 0; v < V; v++) {
-            const int k = mode[v];
-            const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
-            for (int a = 0; a < 3; a++) {
-                f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
-            }
-            if (k > 0) {
-                for (int a = 0; a < 3; a++) {
-                    f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
-                }
-            }
-        }
-    }
-}
-
-/* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
-static void column_vectors(const hobe_real *x, hobe_real *y)
-{
-    for (int t = 0; t < COLUMNS; t++) {
-        for (int a = 0; a < 3; a++) {
-            y[3 * t + a] = x[3 * left[t] + a] + sign[t] * x[3 * right[t] + a];
-        }
-        if (shifted[t]) {
-            for (int a = 0; a < 3; a++) {
-                y[3 * t + a] -= x[3 * LAST + a];
-            }
-        }
-    }
-}
-
-/* gamma_tv = B_t.C_v + C_t.B_v, gamma_tt = B_t.C_t: Gram differences as in `differences` */
-static void column_differences(const hobe_real *B, const hobe_real *C, hobe_real *gamma)
-{
-    for (int p = 0; p < COLUMNS; p++) {
-        gamma[p] = dot(B + 3 * pair_t[p], C + 3 * pair_t[p]);
-    }
-    for (int p = COLUMNS; p < PAIRS; p++) {
-        const hobe_real *Bt = B + 3 * pair_t[p], *Ct = C + 3 * pair_t[p];
-        gamma[p] = dot(Bt, C + 3 * pair_v[p]) + dot(Ct, B + 3 * pair_v[p]);
-    }
-}
-
-/* X[PAIRS][6]: xx, yy, zz, 2yz, 2xz, 2xy of y_t with y_v; Z[PAIRS - COLUMNS][3] = y_t x y_v */
-static void products(const hobe_real *y, hobe_real *X, hobe_real *Z)
-{
-    for (int p = 0; p < PAIRS; p++) {
-        const hobe_real *t = y + 3 * pair_t[p], *v = y + 3 * pair_v[p];
+    for (int p = 0; p < of->pairs; p++) {
+        const hobe_real *t = y + 3 * of->pair_t[p], *v = y + 3 * of->pair_v[p];
         const hobe_real t0 = t[0], t1 = t[1], t2 = t[2], v0 = v[0], v1 = v[1], v2 = v[2];
         hobe_real *to = X + 6 * p;
         to[0] = t0 * v0;
@@ -1207,8 +880,8 @@ static void products(const hobe_real *y, hobe_real *X, hobe_real *Z)
         to[3] = t1 * v2 + t2 * v1;
         to[4] = t2 * v0 + t0 * v2;
         to[5] = t0 * v1 + t1 * v0;
-        if (p >= COLUMNS) {
-            hobe_real *cross = Z + 3 * (p - COLUMNS);
+        if (p >= of->columns) {
+            hobe_real *cross = Z + 3 * (p - of->columns);
             cross[0] = t1 * v2 - t2 * v1;
             cross[1] = t2 * v0 - t0 * v2;
             cross[2] = t0 * v1 - t1 * v0;
@@ -1217,21 +890,25 @@ static void products(const hobe_real *y, hobe_real *X, hobe_real *Z)
 }
 
 /* Q[row][1] = the rows' sums of coefficients H times columns
- * X[PAIRS][1]; returns the end of H */
-static const double *row_stress(const double *H, int symmetry, const hobe_real *X, hobe_real *Q)
+ * X[pairs][1]; returns the end of H */
+static const double *row_stress(const struct products *of, const double *H, int symmetry,
+                                const hobe_real *X, hobe_real *Q)
 {
+    hobe_real *to;
     for (int c = 0; c < CLASSES; c++) {
-        const int count = first_row[c + 1] - first_row[c];
-        for (int b = 0; b < count / 4; b++) {
-            const int r = first_row[c] + 4 * b;
+        const int end = of->first_row[c + 1];
+        const int r0 = of->first_row[c];
+        const int n4 = (end - r0) / 4;
+        for (int b = 0; b < n4; b++) {
+            const int r = r0 + 4 * b;
             hobe_real s00 = zero;
             hobe_real s10 = zero;
             hobe_real s20 = zero;
             hobe_real s30 = zero;
             for (int m = 0; m < merged[symmetry]; m++) {
-                const int k = c ^ merged_with[4 * symmetry + m];
-                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
-                    const hobe_real *x = X + 1 * p;
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_pair[k]; p < of->first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + p;
                     s00 += H[0] * x[0];
                     s10 += H[1] * x[0];
                     s20 += H[2] * x[0];
@@ -1239,41 +916,140 @@ static const double *row_stress(const double *H, int symmetry, const hobe_real *
                     H += 4;
                 }
             }
-            Q[1 * row[r + 0] + 0] = s00;
-            Q[1 * row[r + 1] + 0] = s10;
-            Q[1 * row[r + 2] + 0] = s20;
-            Q[1 * row[r + 3] + 0] = s30;
+            to = Q + of->row[r + 0];
+            to[0] = s00;
+            to = Q + of->row[r + 1];
+            to[0] = s10;
+            to = Q + of->row[r + 2];
+            to[0] = s20;
+            to = Q + of->row[r + 3];
+            to[0] = s30;
         }
-        for (int r = first_row[c] + count / 4 * 4; r < first_row[c + 1]; r++) {
+        const int r1 = r0 + 4 * n4;
+        const int n2 = (end - r1) / 2;
+        for (int b = 0; b < n2; b++) {
+            const int r = r1 + 2 * b;
+            hobe_real s00 = zero;
+            hobe_real s10 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_pair[k]; p < of->first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + p;
+                    s00 += H[0] * x[0];
+                    s10 += H[1] * x[0];
+                    H += 2;
+                }
+            }
+            to = Q + of->row[r + 0];
+            to[0] = s00;
+            to = Q + of->row[r + 1];
+            to[0] = s10;
+        }
+        const int r2 = r1 + 2 * n2;
+        const int n1 = end - r2;
+        for (int b = 0; b < n1; b++) {
+            const int r = r2 + 1 * b;
             hobe_real s00 = zero;
             for (int m = 0; m < merged[symmetry]; m++) {
-                const int k = c ^ merged_with[4 * symmetry + m];
-                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
-                    const hobe_real *x = X + 1 * p;
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_pair[k]; p < of->first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + p;
                     s00 += H[0] * x[0];
                     H += 1;
                 }
             }
-            Q[1 * row[r + 0] + 0] = s00;
+            to = Q + of->row[r + 0];
+            to[0] = s00;
         }
     }
     return H;
 }
 
 /* sym[row][6] = the rows' sums of coefficients H times columns
- * X[PAIRS][6]; returns the end of H */
-static const double *row_symmetric(const double *H, int symmetry, const hobe_real *X,
-                                   hobe_real *sym)
+ * X[pairs][6]; returns the end of H */
+static const double *row_symmetric(const struct products *of, const double *H, int symmetry,
+                                   const hobe_real *X, hobe_real *sym)
 {
+    hobe_real *to;
     for (int c = 0; c < CLASSES; c++) {
-        const int count = first_row[c + 1] - first_row[c];
-        for (int b = 0; b < count / 2; b++) {
-            const int r = first_row[c] + 2 * b;
+        const int end = of->first_row[c + 1];
+        const int r0 = of->first_row[c];
+        const int n4 = TALL * ((end - r0) / 4);
+        for (int b = 0; b < n4; b++) {
+            const int r = r0 + 4 * b;
+            hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
+            hobe_real s10 = zero, s11 = zero, s12 = zero, s13 = zero, s14 = zero, s15 = zero;
+            hobe_real s20 = zero, s21 = zero, s22 = zero, s23 = zero, s24 = zero, s25 = zero;
+            hobe_real s30 = zero, s31 = zero, s32 = zero, s33 = zero, s34 = zero, s35 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_pair[k]; p < of->first_pair[k + 1]; p++) {
+                    const hobe_real *x = X + 6 * p;
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s03 += H[0] * x[3];
+                    s04 += H[0] * x[4];
+                    s05 += H[0] * x[5];
+                    s10 += H[1] * x[0];
+                    s11 += H[1] * x[1];
+                    s12 += H[1] * x[2];
+                    s13 += H[1] * x[3];
+                    s14 += H[1] * x[4];
+                    s15 += H[1] * x[5];
+                    s20 += H[2] * x[0];
+                    s21 += H[2] * x[1];
+                    s22 += H[2] * x[2];
+                    s23 += H[2] * x[3];
+                    s24 += H[2] * x[4];
+                    s25 += H[2] * x[5];
+                    s30 += H[3] * x[0];
+                    s31 += H[3] * x[1];
+                    s32 += H[3] * x[2];
+                    s33 += H[3] * x[3];
+                    s34 += H[3] * x[4];
+                    s35 += H[3] * x[5];
+                    H += 4;
+                }
+            }
+            to = sym + 6 * of->row[r + 0];
+            to[0] = s00;
+            to[1] = s01;
+            to[2] = s02;
+            to[3] = s03;
+            to[4] = s04;
+            to[5] = s05;
+            to = sym + 6 * of->row[r + 1];
+            to[0] = s10;
+            to[1] = s11;
+            to[2] = s12;
+            to[3] = s13;
+            to[4] = s14;
+            to[5] = s15;
+            to = sym + 6 * of->row[r + 2];
+            to[0] = s20;
+            to[1] = s21;
+            to[2] = s22;
+            to[3] = s23;
+            to[4] = s24;
+            to[5] = s25;
+            to = sym + 6 * of->row[r + 3];
+            to[0] = s30;
+            to[1] = s31;
+            to[2] = s32;
+            to[3] = s33;
+            to[4] = s34;
+            to[5] = s35;
+        }
+        const int r1 = r0 + 4 * n4;
+        const int n2 = (end - r1) / 2;
+        for (int b = 0; b < n2; b++) {
+            const int r = r1 + 2 * b;
             hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
             hobe_real s10 = zero, s11 = zero, s12 = zero, s13 = zero, s14 = zero, s15 = zero;
             for (int m = 0; m < merged[symmetry]; m++) {
-                const int k = c ^ merged_with[4 * symmetry + m];
-                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_pair[k]; p < of->first_pair[k + 1]; p++) {
                     const hobe_real *x = X + 6 * p;
                     s00 += H[0] * x[0];
                     s01 += H[0] * x[1];
@@ -1290,24 +1066,29 @@ static const double *row_symmetric(const double *H, int symmetry, const hobe_rea
                     H += 2;
                 }
             }
-            sym[6 * row[r + 0] + 0] = s00;
-            sym[6 * row[r + 0] + 1] = s01;
-            sym[6 * row[r + 0] + 2] = s02;
-            sym[6 * row[r + 0] + 3] = s03;
-            sym[6 * row[r + 0] + 4] = s04;
-            sym[6 * row[r + 0] + 5] = s05;
-            sym[6 * row[r + 1] + 0] = s10;
-            sym[6 * row[r + 1] + 1] = s11;
-            sym[6 * row[r + 1] + 2] = s12;
-            sym[6 * row[r + 1] + 3] = s13;
-            sym[6 * row[r + 1] + 4] = s14;
-            sym[6 * row[r + 1] + 5] = s15;
+            to = sym + 6 * of->row[r + 0];
+            to[0] = s00;
+            to[1] = s01;
+            to[2] = s02;
+            to[3] = s03;
+            to[4] = s04;
+            to[5] = s05;
+            to = sym + 6 * of->row[r + 1];
+            to[0] = s10;
+            to[1] = s11;
+            to[2] = s12;
+            to[3] = s13;
+            to[4] = s14;
+            to[5] = s15;
         }
-        for (int r = first_row[c] + count / 2 * 2; r < first_row[c + 1]; r++) {
+        const int r2 = r1 + 2 * n2;
+        const int n1 = end - r2;
+        for (int b = 0; b < n1; b++) {
+            const int r = r2 + 1 * b;
             hobe_real s00 = zero, s01 = zero, s02 = zero, s03 = zero, s04 = zero, s05 = zero;
             for (int m = 0; m < merged[symmetry]; m++) {
-                const int k = c ^ merged_with[4 * symmetry + m];
-                for (int p = first_pair[k]; p < first_pair[k + 1]; p++) {
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_pair[k]; p < of->first_pair[k + 1]; p++) {
                     const hobe_real *x = X + 6 * p;
                     s00 += H[0] * x[0];
                     s01 += H[0] * x[1];
@@ -1318,33 +1099,38 @@ static const double *row_symmetric(const double *H, int symmetry, const hobe_rea
                     H += 1;
                 }
             }
-            sym[6 * row[r + 0] + 0] = s00;
-            sym[6 * row[r + 0] + 1] = s01;
-            sym[6 * row[r + 0] + 2] = s02;
-            sym[6 * row[r + 0] + 3] = s03;
-            sym[6 * row[r + 0] + 4] = s04;
-            sym[6 * row[r + 0] + 5] = s05;
+            to = sym + 6 * of->row[r + 0];
+            to[0] = s00;
+            to[1] = s01;
+            to[2] = s02;
+            to[3] = s03;
+            to[4] = s04;
+            to[5] = s05;
         }
     }
     return H;
 }
 
 /* skew[row][3] = the rows' sums of coefficients H times columns
- * X[PAIRS - COLUMNS][3]; returns the end of H */
-static const double *row_skew(const double *H, int symmetry, const hobe_real *X, hobe_real *skew)
+ * X[pairs - columns][3]; returns the end of H */
+static const double *row_skew(const struct products *of, const double *H, int symmetry,
+                              const hobe_real *X, hobe_real *skew)
 {
+    hobe_real *to;
     for (int c = 0; c < CLASSES; c++) {
-        const int count = first_skew_row[c + 1] - first_skew_row[c];
-        for (int b = 0; b < count / 4; b++) {
-            const int r = first_skew_row[c] + 4 * b;
+        const int end = of->first_skew_row[c + 1];
+        const int r0 = of->first_skew_row[c];
+        const int n4 = (end - r0) / 4;
+        for (int b = 0; b < n4; b++) {
+            const int r = r0 + 4 * b;
             hobe_real s00 = zero, s01 = zero, s02 = zero;
             hobe_real s10 = zero, s11 = zero, s12 = zero;
             hobe_real s20 = zero, s21 = zero, s22 = zero;
             hobe_real s30 = zero, s31 = zero, s32 = zero;
             for (int m = 0; m < merged[symmetry]; m++) {
-                const int k = c ^ merged_with[4 * symmetry + m];
-                for (int p = first_cross[k]; p < first_cross[k + 1]; p++) {
-                    const hobe_real *x = X + 3 * (p - COLUMNS);
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_cross[k]; p < of->first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - of->columns);
                     s00 += H[0] * x[0];
                     s01 += H[0] * x[1];
                     s02 += H[0] * x[2];
@@ -1360,69 +1146,89 @@ static const double *row_skew(const double *H, int symmetry, const hobe_real *X,
                     H += 4;
                 }
             }
-            skew[3 * skew_row[r + 0] + 0] = s00;
-            skew[3 * skew_row[r + 0] + 1] = s01;
-            skew[3 * skew_row[r + 0] + 2] = s02;
-            skew[3 * skew_row[r + 1] + 0] = s10;
-            skew[3 * skew_row[r + 1] + 1] = s11;
-            skew[3 * skew_row[r + 1] + 2] = s12;
-            skew[3 * skew_row[r + 2] + 0] = s20;
-            skew[3 * skew_row[r + 2] + 1] = s21;
-            skew[3 * skew_row[r + 2] + 2] = s22;
-            skew[3 * skew_row[r + 3] + 0] = s30;
-            skew[3 * skew_row[r + 3] + 1] = s31;
-            skew[3 * skew_row[r + 3] + 2] = s32;
+            to = skew + 3 * of->skew_row[r + 0];
+            to[0] = s00;
+            to[1] = s01;
+            to[2] = s02;
+            to = skew + 3 * of->skew_row[r + 1];
+            to[0] = s10;
+            to[1] = s11;
+            to[2] = s12;
+            to = skew + 3 * of->skew_row[r + 2];
+            to[0] = s20;
+            to[1] = s21;
+            to[2] = s22;
+            to = skew + 3 * of->skew_row[r + 3];
+            to[0] = s30;
+            to[1] = s31;
+            to[2] = s32;
         }
-        for (int r = first_skew_row[c] + count / 4 * 4; r < first_skew_row[c + 1]; r++) {
+        const int r1 = r0 + 4 * n4;
+        const int n2 = (end - r1) / 2;
+        for (int b = 0; b < n2; b++) {
+            const int r = r1 + 2 * b;
+            hobe_real s00 = zero, s01 = zero, s02 = zero;
+            hobe_real s10 = zero, s11 = zero, s12 = zero;
+            for (int m = 0; m < merged[symmetry]; m++) {
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_cross[k]; p < of->first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - of->columns);
+                    s00 += H[0] * x[0];
+                    s01 += H[0] * x[1];
+                    s02 += H[0] * x[2];
+                    s10 += H[1] * x[0];
+                    s11 += H[1] * x[1];
+                    s12 += H[1] * x[2];
+                    H += 2;
+                }
+            }
+            to = skew + 3 * of->skew_row[r + 0];
+            to[0] = s00;
+            to[1] = s01;
+            to[2] = s02;
+            to = skew + 3 * of->skew_row[r + 1];
+            to[0] = s10;
+            to[1] = s11;
+            to[2] = s12;
+        }
+        const int r2 = r1 + 2 * n2;
+        const int n1 = end - r2;
+        for (int b = 0; b < n1; b++) {
+            const int r = r2 + 1 * b;
             hobe_real s00 = zero, s01 = zero, s02 = zero;
             for (int m = 0; m < merged[symmetry]; m++) {
-                const int k = c ^ merged_with[4 * symmetry + m];
-                for (int p = first_cross[k]; p < first_cross[k + 1]; p++) {
-                    const hobe_real *x = X + 3 * (p - COLUMNS);
+                const int k = c ^ merged_with[CLASSES * symmetry + m];
+                for (int p = of->first_cross[k]; p < of->first_cross[k + 1]; p++) {
+                    const hobe_real *x = X + 3 * (p - of->columns);
                     s00 += H[0] * x[0];
                     s01 += H[0] * x[1];
                     s02 += H[0] * x[2];
                     H += 1;
                 }
             }
-            skew[3 * skew_row[r + 0] + 0] = s00;
-            skew[3 * skew_row[r + 0] + 1] = s01;
-            skew[3 * skew_row[r + 0] + 2] = s02;
+            to = skew + 3 * of->skew_row[r + 0];
+            to[0] = s00;
+            to[1] = s01;
+            to[2] = s02;
         }
     }
     return H;
 }
 
-/* The current x[V][3] = q0 + u, its columns y, gamma, and Q[row]; returns the rest of H */
-static const double *tensor_state(const struct hobe_invariants *inv, const hobe_real *q0,
-                                  const hobe_real *u, hobe_real *x, hobe_real *y, hobe_real *gamma,
-                                  hobe_real *Q)
+/* Q of the rows from the parts that mirror images share */
+static void images(hobe_real *Q)
 {
-    hobe_real x0[3 * V], B[3 * COLUMNS];
-    gather(q0, x0);
-    gather(u, x);
-    /* gamma from the mean of before and after, and the change: no cancellation */
-    for (int i = 0; i < 3 * V; i++) {
-        x0[i] += 0.5 * x[i];
+    for (int v = OPPOSED; v < V; v++) {
+        for (int u = OPPOSED; u < v + 1; u++) {
+            const int m = hobe_pair(v, u);
+            const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+            if (m < n) {
+                const hobe_real sum = Q[m] + Q[n], difference = Q[m] - Q[n];
+                Q[m] = sum;
+                Q[n] = difference;
+            }
+        }
     }
-    column_vectors(x0, B);
-    column_vectors(x, y);
-    column_differences(B, y, gamma);
-    for (int i = 0; i < 3 * V; i++) {
-        x[i] = x0[i] + 0.5 * x[i];
-    }
-    for (int i = 0; i < 3 * COLUMNS; i++) {
-        y[i] = B[i] + 0.5 * y[i];
-    }
-    const double *H;
-    H = row_stress(inv->tensor, inv->symmetry, gamma, Q);
-    for (int o = 0; o < IMAGES; o++) {
-        hobe_real *a = Q + image[2 * o], *b = Q + image[2 * o + 1];
-        const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];
-        a[0] = sum;
-        b[0] = difference;
-    }
-    return H;
 }
 
 /* f_i = sum_j Q_ij x_j, where x_0 = 0; on positions they are in balance */
@@ -1471,28 +1277,31 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 /* K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, those of images from their sum and difference */
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
-    for (int o = 0; o < IMAGES; o++) {
-        const int m = image[2 * o];
-        const int n = image[2 * o + 1];
-        hobe_real s[6], r[3];
-        for (int e = 0; e < 6; e++) {
-            s[e] = sym[6 * m + e] + sym[6 * n + e];
+    for (int v = OPPOSED; v < V; v++) {
+        for (int u = OPPOSED; u < v + 1; u++) {
+            const int m = hobe_pair(v, u);
+            const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+            if (m == n) {
+                block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
+            }
+            if (m < n) {
+                hobe_real s[6], r[3];
+                for (int e = 0; e < 6; e++) {
+                    s[e] = sym[6 * m + e] + sym[6 * n + e];
+                }
+                for (int e = 0; e < 3; e++) {
+                    r[e] = skew[3 * m + e] + skew[3 * n + e];
+                }
+                block(s, r, Q + m, K + 9 * HOBE_PARTS * m);
+                for (int e = 0; e < 6; e++) {
+                    s[e] = sym[6 * m + e] - sym[6 * n + e];
+                }
+                for (int e = 0; e < 3; e++) {
+                    r[e] = skew[3 * m + e] - skew[3 * n + e];
+                }
+                block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
+            }
         }
-        for (int e = 0; e < 3; e++) {
-            r[e] = skew[3 * m + e] + skew[3 * n + e];
-        }
-        block(s, r, Q + m, K + 9 * HOBE_PARTS * m);
-        for (int e = 0; e < 6; e++) {
-            s[e] = sym[6 * m + e] - sym[6 * n + e];
-        }
-        for (int e = 0; e < 3; e++) {
-            r[e] = skew[3 * m + e] - skew[3 * n + e];
-        }
-        block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
-    }
-    for (int o = 0; o < ALONE; o++) {
-        const int m = alone[o];
-        block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
     }
 }
 
@@ -1523,6 +1332,398 @@ static void opposed_blocks(hobe_real *K)
     }
 }
 
+/* K from the rows */
+static void finish(const hobe_real *Q, const hobe_real *sym, hobe_real *skew, hobe_real *K)
+{
+    for (int i = OPPOSED; i < V; i++) {
+        for (int a = 0; a < 3; a++) {
+            skew[3 * hobe_pair(i, i) + a] = zero;
+        }
+    }
+    blocks(Q, sym, skew, K);
+    if (OPPOSED) {
+        opposed_blocks(K);
+    }
+}
+
+/* P_I = dW/dD_I = sum_J Q_IJ D_J */
+static void section_force(const hobe_real *Q, const hobe_real *D, hobe_real *P)
+{
+    for (int i = 0; i < S; i++) {
+        for (int a = 0; a < 3; a++) {
+            P[3 * i + a] = zero;
+        }
+        for (int j = 0; j < i; j++) {
+            const hobe_real t = Q[hobe_pair(i, j)];
+            for (int a = 0; a < 3; a++) {
+                P[3 * i + a] += t * D[3 * j + a];
+            }
+        }
+        for (int j = i; j < S; j++) {
+            const hobe_real t = Q[hobe_pair(j, i)];
+            for (int a = 0; a < 3; a++) {
+                P[3 * i + a] += t * D[3 * j + a];
+            }
+        }
+    }
+}
+
+/* f = dU/dq, eq. 27, for one part of a batch */
+static void force_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
+                       hobe_real *f)
+{
+    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S], gamma[GRAMS], Q[GRAMS];
+    gather(q0, x0);
+    gather(u, x);
+    for (int i = 0; i < 3 * V; i++) {
+        f[i * HOBE_PARTS] = zero;
+    }
+    for (int g = 0; g < inv->stations; g++) {
+        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
+        const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
+        section_vectors(N, Nx, x0, B);
+        section_vectors(N, Nx, x, U);
+        for (int i = 0; i < 3 * S; i++) {
+            B[i] += 0.5 * U[i];
+        }
+        column_differences(sectional, B, U, gamma);
+        row_stress(sectional, H, inv->symmetry, gamma, Q);
+        /* D = D0 + U */
+        for (int i = 0; i < 3 * S; i++) {
+            B[i] += 0.5 * U[i];
+        }
+        section_force(Q, B, U);
+        for (int v = 0; v < V; v++) {
+            const int k = mode[v];
+            const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
+            for (int a = 0; a < 3; a++) {
+                f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
+            }
+            if (k > 0) {
+                for (int a = 0; a < 3; a++) {
+                    f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
+                }
+            }
+        }
+    }
+}
+
+/* U = sum_g w_g s.sigma/2, eq. 26 */
+static void energy_part(const struct hobe_invariants *inv, const hobe_real *q0, const hobe_real *u,
+                        hobe_real *energy)
+{
+    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S], gamma[GRAMS], Q[GRAMS];
+    gather(q0, x0);
+    gather(u, x);
+    hobe_real sum = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
+        const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
+        section_vectors(N, Nx, x0, B);
+        section_vectors(N, Nx, x, U);
+        for (int i = 0; i < 3 * S; i++) {
+            B[i] += 0.5 * U[i];
+        }
+        column_differences(sectional, B, U, gamma);
+        row_stress(sectional, H, inv->symmetry, gamma, Q);
+        hobe_real w = zero;
+        for (int p = 0; p < GRAMS; p++) {
+            const int row = hobe_pair(sectional->pair_t[p], sectional->pair_v[p]);
+            w += gamma[p] * Q[row];
+        }
+        const double half = 0.5 * inv->wx[g];
+        sum += half * w;
+    }
+    energy[0] = sum;
+}
+
+/* section vectors of b/2 and of c */
+static void polar(const double *N, const double *Nx, const hobe_real *b, const hobe_real *c,
+                  hobe_real *B, hobe_real *C)
+{
+    section_vectors(N, Nx, b, B);
+    section_vectors(N, Nx, c, C);
+    for (int i = 0; i < 3 * S; i++) {
+        B[i] = 0.5 * B[i];
+    }
+}
+
+/* f = T(a; b, c): Q of the Gram entries of b and c in polar form, applied to D(a) */
+static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *qa,
+                           const hobe_real *qb, const hobe_real *qc, hobe_real *f)
+{
+    hobe_real xa[3 * V];
+    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S], gamma[GRAMS], Q[GRAMS];
+    gather(qa, xa);
+    gather(qb, x0);
+    gather(qc, x);
+    for (int i = 0; i < 3 * V; i++) {
+        f[i * HOBE_PARTS] = zero;
+    }
+    for (int g = 0; g < inv->stations; g++) {
+        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
+        const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
+        polar(N, Nx, x0, x, B, U);
+        column_differences(sectional, B, U, gamma);
+        row_stress(sectional, H, inv->symmetry, gamma, Q);
+        section_vectors(N, Nx, xa, B);
+        section_force(Q, B, U);
+        for (int v = 0; v < V; v++) {
+            const int k = mode[v];
+            const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
+            for (int a = 0; a < 3; a++) {
+                f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
+            }
+            if (k > 0) {
+                for (int a = 0; a < 3; a++) {
+                    f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
+                }
+            }
+        }
+    }
+}
+
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3] */
+static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
+                         const hobe_real *x, hobe_real *X, hobe_real *T)
+{
+    hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;
+    hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;
+    const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
+    const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
+    section_vectors(N, Nx, x0, B);
+    section_vectors(N, Nx, x, U);
+    for (int i = 0; i < 3 * S; i++) {
+        B[i] += 0.5 * U[i];
+    }
+    column_differences(sectional, B, U, X);
+    /* D = D0 + U */
+    for (int i = 0; i < 3 * S; i++) {
+        B[i] += 0.5 * U[i];
+    }
+    H = row_stress(sectional, H, inv->symmetry, X, T);
+    products(sectional, B, X, Z);
+    H = row_symmetric(sectional, H, inv->symmetry, X, sym);
+    row_skew(sectional, H, inv->symmetry, Z, skew);
+    for (int i = 0; i < S; i++) {
+        for (int a = 0; a < 3; a++) {
+            skew[3 * hobe_pair(i, i) + a] = zero;
+        }
+    }
+}
+
+/* T + s T' and T - s T' of the rows T of a station and T' = W of its mirror image */
+static void even_and_odd(hobe_real *T, hobe_real *W)
+{
+    for (int i = 0; i < S; i++) {
+        for (int j = 0; j < i + 1; j++) {
+            const int r = hobe_pair(i, j);
+            const int along = (i < M) == (j < M);
+            hobe_real *plus = along ? T : W, *minus = along ? W : T;
+            for (int e = 0; e < 10; e++) {
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 :
+                                     7 * GRAMS + 3 * r + e - 7;
+                const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
+                plus[at] = sum;
+                minus[at] = less;
+            }
+        }
+    }
+}
+
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:
+ * of a row and its mirror image the sum of what they share, then of what they differ by */
+static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
+                         hobe_real *K)
+{
+    const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
+    for (int k = 0; k < M; k++) {
+        for (int l = 0; l < k + 1; l++) {
+            for (int i = first_of[k]; i < first_of[k + 1]; i++) {
+                const int end = k == l ? i + 1 : first_of[l + 1];
+                for (int j = first_of[l]; j < end; j++) {
+                    const int v = larger(by_mode[i], by_mode[j]);
+                    const int u = by_mode[i] + by_mode[j] - v;
+                    const int m = hobe_pair(v, u);
+                    const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
+                    const int a = mode[v];
+                    const int b = mode[u];
+                    const int parts = (m <= n) + (m < n);
+                    const int p0 = symmetric(a, b);
+                    const int p1 = symmetric(a, M - 1 + b);
+                    const int p2 = symmetric(M - 1 + a, b);
+                    const int p3 = symmetric(M - 1 + a, M - 1 + b);
+                    const int side = a < b ? -1 : 1;
+                    hobe_real x[20], y[10];
+                    for (int z = 0; z < parts; z++) {
+                        const int part = odd_of[v] ^ odd_of[u] ^ z;
+                        const int turned = part ^ (nodal->mirror[v] < nodal->mirror[u]);
+                        hobe_real s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero;
+                        hobe_real s5 = zero, s6 = zero, s7 = zero, s8 = zero, s9 = zero;
+                        for (int g = 0; g < last + 1; g++) {
+                            const int image = inv->stations - 1 - g;
+                            const int same = part ? image : g;
+                            const int other = turned ? image : g;
+                            const hobe_real *t = T + 10 * GRAMS * same;
+                            const hobe_real *w = T + 10 * GRAMS * other;
+                            const double *c = inv->section + AXIAL * g + 4 * part +
+                                              8 * (A * axial_of[v] + axial_of[u]);
+                            const double *d = c + 4 * (turned - part);
+                            const double d0 = side * d[0], d1 = d[1], d2 = d[2], d3 = side * d[3];
+                            s0 += c[0] * t[p0];
+                            s1 += c[0] * t[GRAMS + 6 * p0 + 0];
+                            s2 += c[0] * t[GRAMS + 6 * p0 + 1];
+                            s3 += c[0] * t[GRAMS + 6 * p0 + 2];
+                            s4 += c[0] * t[GRAMS + 6 * p0 + 3];
+                            s5 += c[0] * t[GRAMS + 6 * p0 + 4];
+                            s6 += c[0] * t[GRAMS + 6 * p0 + 5];
+                            s7 += d0 * w[7 * GRAMS + 3 * p0 + 0];
+                            s8 += d0 * w[7 * GRAMS + 3 * p0 + 1];
+                            s9 += d0 * w[7 * GRAMS + 3 * p0 + 2];
+                            if (b > 0) {
+                                s0 += c[1] * t[p1];
+                                s1 += c[1] * t[GRAMS + 6 * p1 + 0];
+                                s2 += c[1] * t[GRAMS + 6 * p1 + 1];
+                                s3 += c[1] * t[GRAMS + 6 * p1 + 2];
+                                s4 += c[1] * t[GRAMS + 6 * p1 + 3];
+                                s5 += c[1] * t[GRAMS + 6 * p1 + 4];
+                                s6 += c[1] * t[GRAMS + 6 * p1 + 5];
+                                s7 -= d1 * w[7 * GRAMS + 3 * p1 + 0];
+                                s8 -= d1 * w[7 * GRAMS + 3 * p1 + 1];
+                                s9 -= d1 * w[7 * GRAMS + 3 * p1 + 2];
+                            }
+                            if (a > 0) {
+                                s0 += c[2] * t[p2];
+                                s1 += c[2] * t[GRAMS + 6 * p2 + 0];
+                                s2 += c[2] * t[GRAMS + 6 * p2 + 1];
+                                s3 += c[2] * t[GRAMS + 6 * p2 + 2];
+                                s4 += c[2] * t[GRAMS + 6 * p2 + 3];
+                                s5 += c[2] * t[GRAMS + 6 * p2 + 4];
+                                s6 += c[2] * t[GRAMS + 6 * p2 + 5];
+                                s7 += d2 * w[7 * GRAMS + 3 * p2 + 0];
+                                s8 += d2 * w[7 * GRAMS + 3 * p2 + 1];
+                                s9 += d2 * w[7 * GRAMS + 3 * p2 + 2];
+                            }
+                            if (a > 0 && b > 0) {
+                                s0 += c[3] * t[p3];
+                                s1 += c[3] * t[GRAMS + 6 * p3 + 0];
+                                s2 += c[3] * t[GRAMS + 6 * p3 + 1];
+                                s3 += c[3] * t[GRAMS + 6 * p3 + 2];
+                                s4 += c[3] * t[GRAMS + 6 * p3 + 3];
+                                s5 += c[3] * t[GRAMS + 6 * p3 + 4];
+                                s6 += c[3] * t[GRAMS + 6 * p3 + 5];
+                                s7 += d3 * w[7 * GRAMS + 3 * p3 + 0];
+                                s8 += d3 * w[7 * GRAMS + 3 * p3 + 1];
+                                s9 += d3 * w[7 * GRAMS + 3 * p3 + 2];
+                            }
+                        }
+                        x[10 * z + 0] = s0;
+                        x[10 * z + 1] = s1;
+                        x[10 * z + 2] = s2;
+                        x[10 * z + 3] = s3;
+                        x[10 * z + 4] = s4;
+                        x[10 * z + 5] = s5;
+                        x[10 * z + 6] = s6;
+                        x[10 * z + 7] = s7;
+                        x[10 * z + 8] = s8;
+                        x[10 * z + 9] = s9;
+                        if (v == u) {
+                            for (int e = 0; e < 3; e++) {
+                                x[10 * z + 7 + e] = zero;
+                            }
+                        }
+                    }
+                    if (parts == 1) {
+                        Q[m] = x[0];
+                        block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
+                    }
+                    if (parts == 2) {
+                        for (int e = 0; e < 10; e++) {
+                            y[e] = x[e] + x[10 + e];
+                        }
+                        Q[m] = y[0];
+                        block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
+                        for (int e = 0; e < 10; e++) {
+                            y[e] = x[e] - x[10 + e];
+                        }
+                        Q[n] = y[0];
+                        block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
+                    }
+                }
+            }
+        }
+    }
+    if (OPPOSED) {
+        opposed_blocks(K);
+    }
+}
+
+/* f = dU/dq and K = df/dq, eq. 28, for one part of a batch */
+static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
+                         const hobe_real *u, hobe_real *f, hobe_real *K, hobe_real *scratch)
+{
+    hobe_real x0[3 * V], x[3 * V], *Q = scratch, *X = Q + BLOCKS;
+    hobe_real *T = X + 9 * GRAMS - 3 * S;
+    gather(q0, x0);
+    gather(u, x);
+    for (int g = 0; g < inv->stations; g++) {
+        station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
+    }
+    const int couples = MIRRORED ? inv->stations / 2 : 0;
+    for (int g = 0; g < couples; g++) {
+        const int other = inv->stations - 1 - g;
+        even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * other);
+    }
+    nodal_blocks(inv, T, Q, K);
+    /* D = D0 + U */
+    for (int i = 0; i < 3 * V; i++) {
+        x[i] += x0[i];
+    }
+    tensor_force(Q, x, f);
+}
+
+/* y[COLUMNS][3], the sums and differences about mid-length of nodal vectors x[V][3] */
+static void column_vectors(const hobe_real *x, hobe_real *y)
+{
+    for (int t = 0; t < COLUMNS; t++) {
+        for (int a = 0; a < 3; a++) {
+            y[3 * t + a] = x[3 * left[t] + a] + sign[t] * x[3 * right[t] + a];
+        }
+        if (shifted[t]) {
+            for (int a = 0; a < 3; a++) {
+                y[3 * t + a] -= x[3 * LAST + a];
+            }
+        }
+    }
+}
+
+/* The current x[V][3] = q0 + u, its columns y, gamma, and Q[row]; returns the rest of H */
+static const double *tensor_state(const struct hobe_invariants *inv, const hobe_real *q0,
+                                  const hobe_real *u, hobe_real *x, hobe_real *y, hobe_real *gamma,
+                                  hobe_real *Q)
+{
+    hobe_real x0[3 * V], B[3 * COLUMNS];
+    gather(q0, x0);
+    gather(u, x);
+    /* gamma from the mean of before and after, and the change: no cancellation */
+    for (int i = 0; i < 3 * V; i++) {
+        x0[i] += 0.5 * x[i];
+    }
+    column_vectors(x0, B);
+    column_vectors(x, y);
+    column_differences(nodal, B, y, gamma);
+    for (int i = 0; i < 3 * V; i++) {
+        x[i] = x0[i] + 0.5 * x[i];
+    }
+    for (int i = 0; i < 3 * COLUMNS; i++) {
+        y[i] = B[i] + 0.5 * y[i];
+    }
+    const double *H;
+    H = row_stress(nodal, inv->tensor, inv->symmetry, gamma, Q);
+    images(Q);
+    return H;
+}
+
 /* f = dU/dq, eq. 27, for one part of a batch */
 static void tensor_force_part(const struct hobe_invariants *inv, const hobe_real *q0,
                               const hobe_real *u, hobe_real *f, hobe_real *scratch)
@@ -1542,18 +1743,10 @@ static void tensor_tangent_part(const struct hobe_invariants *inv, const hobe_re
     const double *H;
     H = tensor_state(inv, q0, u, x, y, X, Q);
     tensor_force(Q, x, f);
-    products(y, X, Z);
-    H = row_symmetric(H, inv->symmetry, X, sym);
-    row_skew(H, inv->symmetry, Z, skew);
-    for (int i = OPPOSED; i < V; i++) {
-        for (int a = 0; a < 3; a++) {
-            skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-    }
-    blocks(Q, sym, skew, K);
-    if (OPPOSED) {
-        opposed_blocks(K);
-    }
+    products(nodal, y, X, Z);
+    H = row_symmetric(nodal, H, inv->symmetry, X, sym);
+    row_skew(nodal, H, inv->symmetry, Z, skew);
+    finish(Q, sym, skew, K);
 }
 
 static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
@@ -1563,41 +1756,25 @@ static void energy(const struct hobe_invariants *inv, const hobe_lanes *q0, cons
         energy_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)U + h);
 }
 
-static void section_wise_force(const struct hobe_invariants *inv, const hobe_lanes *q0,
-                               const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
-{
-    (void)scratch;
-    for (int h = 0; h < HOBE_PARTS; h++)
-        force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h);
-}
-
-static void section_wise_tangent(const struct hobe_invariants *inv, const hobe_lanes *q0,
-                                 const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
-                                 hobe_lanes *scratch)
-{
-    for (int h = 0; h < HOBE_PARTS; h++)
-        tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h,
-                     (hobe_real *)K + h, (hobe_real *)scratch);
-}
-
 static void force(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
                   hobe_lanes *f, hobe_lanes *scratch)
 {
-    if (!inv->tensor)
-        section_wise_force(inv, q0, u, f, scratch);
-    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
-        tensor_force_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
-                          (hobe_real *)f + h, (hobe_real *)scratch);
+    for (int h = 0; h < HOBE_PARTS; h++) {
+        const hobe_real *reference = (const hobe_real *)q0 + h, *moved = (const hobe_real *)u + h;
+        if (inv->tensor)
+            tensor_force_part(inv, reference, moved, (hobe_real *)f + h, (hobe_real *)scratch);
+        else
+            force_part(inv, reference, moved, (hobe_real *)f + h);
+    }
 }
 
 static void tangent(const struct hobe_invariants *inv, const hobe_lanes *q0, const hobe_lanes *u,
                     hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch)
 {
-    if (!inv->tensor)
-        section_wise_tangent(inv, q0, u, f, K, scratch);
-    for (int h = 0; inv->tensor && h < HOBE_PARTS; h++)
-        tensor_tangent_part(inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
-                            (hobe_real *)f + h, (hobe_real *)K + h, (hobe_real *)scratch);
+    for (int h = 0; h < HOBE_PARTS; h++)
+        (inv->tensor ? tensor_tangent_part : tangent_part)(
+            inv, (const hobe_real *)q0 + h, (const hobe_real *)u + h, (hobe_real *)f + h,
+            (hobe_real *)K + h, (hobe_real *)scratch);
 }
 
 static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
@@ -1607,6 +1784,107 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
     for (int h = 0; h < HOBE_PARTS; h++)
         trilinear_part(inv, (const hobe_real *)a + h, (const hobe_real *)b + h,
                        (const hobe_real *)c + h, (hobe_real *)f + h);
+}
+
+/* What a station keeps of one order of a series: its section vectors D and its stresses Q. */
+enum { KEPT = 3 * S + GRAMS };
+
+static void add_to(hobe_real *sum, const hobe_real *x, int n)
+{
+    for (int i = 0; i < n; i++)
+        sum[i] += x[i];
+}
+
+/* The Gram entries of order k > 1 that D_1 .. D_(k-1) make: sum of D_i . D_j, i + j = k.  The
+ * orders at a station are `order` apart. */
+static void gram_of_order(int k, const hobe_real *at, ptrdiff_t order, hobe_real *gamma)
+{
+    hobe_real weighted[3 * S], more[GRAMS];
+    for (int p = 0; p < GRAMS; p++)
+        gamma[p] = zero;
+    for (int i = 1; i <= k / 2; i++) {
+        const double weight = 2 * i < k ? 1.0 : 0.5;
+        for (int a = 0; a < 3 * S; a++)
+            weighted[a] = weight * at[i * order + a];
+        column_differences(sectional, weighted, at + (k - i) * order, more);
+        add_to(gamma, more, GRAMS);
+    }
+}
+
+/* P = sum of Q_i D_(k-i), i = 1 .. k. */
+static void force_of_order(int k, const hobe_real *at, ptrdiff_t order, hobe_real *P)
+{
+    hobe_real more[3 * S];
+    for (int i = 0; i < 3 * S; i++)
+        P[i] = zero;
+    for (int i = 1; i <= k; i++) {
+        section_force(at + i * order + 3 * S, at + (k - i) * order, more);
+        add_to(P, more, 3 * S);
+    }
+}
+
+/* Q += the stress of the Gram entries of B and D, what completes an order: with D_0 of the state
+ * and D_m, m > 0; or with B = D0 + U/2 and U of the state itself. */
+static void add_stress(const double *H, int symmetry, const hobe_real *B, const hobe_real *D,
+                       hobe_real *Q)
+{
+    hobe_real gamma[GRAMS], more[GRAMS];
+    column_differences(sectional, B, D, gamma);
+    row_stress(sectional, H, symmetry, gamma, more);
+    add_to(Q, more, GRAMS);
+}
+
+/* The first order: D_0 = D0 + U of the state, from the reference x0, and its Q_0. */
+static void begin_series(const double *N, const double *Nx, const double *H, int symmetry,
+                         const hobe_real *x0, hobe_real *at)
+{
+    hobe_real D0[3 * S], B[3 * S];
+    section_vectors(N, Nx, x0, D0);
+    for (int i = 0; i < 3 * S; i++)
+        B[i] = D0[i] + 0.5 * at[i];
+    for (int i = 3 * S; i < KEPT; i++)
+        at[i] = zero;
+    add_stress(H, symmetry, B, at, at + 3 * S);
+    add_to(at, D0, 3 * S);
+}
+
+static void series_part(const struct hobe_invariants *inv, int k, const hobe_real *q0,
+                        const hobe_real *u, hobe_real *table, hobe_real *f)
+{
+    const ptrdiff_t order = (ptrdiff_t)HOBE_PARTS * inv->stations * KEPT;
+    hobe_real x0[3 * V], x[3 * V], P[3 * S], gamma[GRAMS];
+    gather(q0, x0);
+    gather(u, x);
+    for (int i = 0; i < 3 * V; i++)
+        f[i * HOBE_PARTS] = zero;
+    for (int g = 0; g < inv->stations; g++) {
+        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
+        const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
+        hobe_real *at = table + KEPT * g, *next = at + k * order;
+        section_vectors(N, Nx, x, next - order);
+        if (k > 1)
+            add_stress(H, inv->symmetry, at, next - order, next - order + 3 * S);
+        else
+            begin_series(N, Nx, H, inv->symmetry, x0, at);
+        gram_of_order(k, at, order, gamma);
+        row_stress(sectional, H, inv->symmetry, gamma, next + 3 * S);
+        force_of_order(k, at, order, P);
+        for (int v = 0; v < V; v++)
+            for (int a = 0; a < 3; a++) {
+                const int m = mode[v];
+                f[(3 * v + a) * HOBE_PARTS] += inv->wx[g] * Nx[v] * P[3 * m + a];
+                if (m > 0)
+                    f[(3 * v + a) * HOBE_PARTS] += inv->wx[g] * N[v] * P[3 * (M - 1 + m) + a];
+            }
+    }
+}
+
+static void series(const struct hobe_invariants *inv, int k, const hobe_lanes *q0,
+                   const hobe_lanes *u, hobe_lanes *table, hobe_lanes *f)
+{
+    for (int h = 0; h < HOBE_PARTS; h++)
+        series_part(inv, k, (const hobe_real *)q0 + h, (const hobe_real *)u + h,
+                    (hobe_real *)table + (ptrdiff_t)h * inv->stations * KEPT, (hobe_real *)f + h);
 }
 
 static const double node[] = {
@@ -1622,13 +1900,18 @@ static const char *const mode_name[M] = {
 static const char *const function_name[] = {
     "w",
 };
-static const struct hobe_tensor_size tensor_size[] = {
-    {8249, 61637, 8334}, {5225, 33989, 4230}, {5225, 33989, 4230}, {3713, 20165, 2178},
+static const struct hobe_plan_cost section_cost[HOBE_SYMMETRIES] = {
+    {13052, 92161, 2009}, {9212, 58801, 1025}, {9212, 58801, 1025}, {7292, 42121, 533},
+    {9212, 58801, 1025}, {7292, 42121, 533}, {7292, 42121, 533}, {6332, 33781, 287},
+};
+static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
+    {0, 0, 0}, {8249, 61637, 8334}, {0, 0, 0}, {5225, 33989, 4230}, {0, 0, 0},
+    {5225, 33989, 4230}, {0, 0, 0}, {3713, 20165, 2178},
 };
 
 extern const struct hobe_kernel HOBE_KERNEL(MGD30w);
 const struct hobe_kernel HOBE_KERNEL(MGD30w) = {
-    .abi = 5,
+    .abi = 7,
     .name = "MGD30w",
     .hash = "ae65e7a57c261fa8",
     .source = "Tang, Tian & Hu 2022, Table 2",
@@ -1642,8 +1925,8 @@ const struct hobe_kernel HOBE_KERNEL(MGD30w) = {
     .normals = NN,
     .shears = NS,
     .flops_force = 9212,
-    .flops_tangent = 71492,
-    .scratch = 1576,
+    .flops_tangent = 58801,
+    .scratch = 2282,
     .node = node,
     .axis_rule = NULL,
     .vector = vector,
@@ -1655,10 +1938,14 @@ const struct hobe_kernel HOBE_KERNEL(MGD30w) = {
     .energy = energy,
     .force = force,
     .tangent = tangent,
-    .trilinear = trilinear,
-    .tensor_size = tensor_size,
+    .axial = AXIAL,
     .symmetry = symmetry,
+    .section = section,
+    .section_cost = section_cost,
     .tensor = tensor,
+    .tensor_cost = tensor_cost,
+    .trilinear = trilinear,
+    .series = series,
     .strain = strain,
     .warping_strain = warping_strain,
 };

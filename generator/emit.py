@@ -3,11 +3,11 @@
 
 from fractions import Fraction
 
-from . import products, section, structural, tensor
+from . import products, section, series, structural, tensor
 from .ir import write
 from .shape import derivative
 
-ABI = 6  # HOBE_KERNEL_ABI of kernel.h
+ABI = 7  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -23,7 +23,7 @@ def element_file(element, plan):
         parts += [products.STRUCTURE, _plan_tables(element, plan), products.SYMMETRY,
                   products.COEFFICIENTS, tensor.COEFFICIENTS, section.COEFFICIENTS]
     parts += [_function(f) for f in plan.functions]
-    parts += [ENERGY, *([BATCH, TRILINEAR] if plan.layout else [STRUCTURAL_BATCH]),
+    parts += [ENERGY, *([BATCH, TRILINEAR, series.SERIES] if plan.layout else [STRUCTURAL_BATCH]),
               _descriptor(element, plan)]
     return "\n".join(parts)
 
@@ -114,8 +114,8 @@ def _head(element, plan):
         *_wrap("vectors (mode@node, ' for d/dx):", vectors),
         f"operations per element: force {counts['force_part']}, force and tangent "
         f"{counts['tangent_part']}, energy {counts['energy_part']}",
-        *(f"{what}, symmetric in {where}: force {c[name + 'force_part']}, force and tangent "
-          f"{c[name + 'tangent_part']}" for name, what in PLANS.items()
+        *(f"{what}, symmetric in {where}: {c[name + 'force_part']}, {c[name + 'tangent_part']}"
+          for name, what in PLANS.items()
           for where, c in zip(SYMMETRIC_IN, plan.by_symmetry) if name + "force_part" in c),
     ]
     return "\n".join(["/* " + text[0], *(" * " + t if t else " *" for t in text[1:]), " */",
@@ -152,13 +152,14 @@ def _number(q):
     return f"{q.numerator}.0" if q.denominator == 1 else f"{q.numerator}.0 / {q.denominator}.0"
 
 
-def _table(declaration, values, width=96):
-    lines, line = [], "   "
+def _table(declaration, values, width=96, gap=" "):
+    start = " " * (4 - len(gap))
+    lines, line = [], start
     for value in values:
-        if len(line) + len(value) + 2 > width:
+        if len(line) + len(value) + len(gap) + 1 > width:
             lines.append(line)
-            line = "   "
-        line += f" {value},"
+            line = start
+        line += f"{gap}{value},"
     return "\n".join([f"{declaration} = {{", *lines, line, "};"])
 
 
@@ -193,7 +194,6 @@ def _tables(element):
 PLAN_SIZES = {
     "COLUMNS": "sums and differences of nodal vectors", "PAIRS": "of those",
     "BLOCKS": "of the tangent, pairs of nodal vectors: a row each",
-    "IMAGES": "pairs of rows that are mirror images", "ALONE": "rows that are their own",
     "CLASSES": "of parities: 1 odd in x, 2 odd in y, 4 odd in z", "LAST": "the last position",
     "OPPOSED": "whether it is one of two: rows with the first are less those with it",
     "MIRRORED": "whether there are mirror images",
@@ -207,7 +207,8 @@ PLAN_TABLES = {
                       "shifted; its\n * function is share (N_left + sign N_right)"),
     "right": ("short", None), "shifted": ("short", None), "sign": ("double", None),
     "share": ("double", None),
-    "lead": ("short", "vectors of the rows that have a mirror image after them, and of those alone"),
+    "by_mode": ("unsigned char", "nodal vectors in the order of their modes, those with rows"),
+    "first_of": ("unsigned char", "where each mode begins"),
     "merged": ("short", "by symmetry: how many classes a row meets, and its own class times which"),
     "merged_with": ("short", None),
 }
@@ -217,21 +218,27 @@ def _plan_tables(element, plan):
     layout = plan.layout
     sizes = {**layout.sizes, **section.sizes(element)}
     sizes["MOST_PAIRS"] = max(sizes["PAIRS"], sizes["GRAMS"])
-    tables = {"parity": section.parities(element), **layout.tables, **products.TABLES,
+    tables = {"parity": section.parities(element), **layout.tables, **section.tables(element),
+              **products.TABLES,
               "sign": [c.sign for c in layout.columns],
               "share": [_number(c.share) for c in layout.columns]}
     lines = ["/* ---- eqs. 27 and 28 as products with constant matrices (generator/products.py) "
              "---- */", "", *_enum(sizes, PLAN_SIZES), ""]
     for name, (kind, note) in PLAN_TABLES.items():
         lines += [f"/* {note} */"] if note else []
-        lines.append(_table(f"static const {kind} {name}[]", map(str, tables[name])))
+        lines.append(_table(f"static const {kind} {name}[]", map(str, tables[name]), gap=""))
     for of, note in (layout.products, "nodal vectors"), (plan.sectional, "section vectors"):
         lines.append(f"/* products of {note} */")
-        lines += [_table(f"static const short {of.name}_{name}[]", map(str, table))
-                  for name, table in of.tables.items()]
-        lines.append(_table(f"static const struct products {of.name}[1]", [
-            f"{{{of.columns}", str(len(of.pairs)), *(f"{of.name}_{name}" for name in of.tables)])
-            .removesuffix(",\n};") + "},\n};")
+        names = {}  # of tables; equal ones are written once
+        kinds = {name: "unsigned char" if name in products.OF_VECTORS else "short"
+                 for name in of.tables}
+        for name, table in of.tables.items():
+            names.setdefault((kinds[name], *table), f"{of.name}_{name}")
+        lines += [_table(f"static const {kind} {name}[]", map(str, table), gap="")
+                  for (kind, *table), name in names.items()]
+        of_names = ", ".join(names[kinds[name], *table] for name, table in of.tables.items())
+        lines.append("\n".join(_wrap(f"static const struct products {of.name}[1] = {{{{",
+                                     f"{of.columns}, {len(of.pairs)}, {of_names}}}}};")))
     return "\n".join([*lines, ""])
 
 
@@ -731,7 +738,8 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
 """
 
 
-PLANS_OF = "symmetry", "section", "section_cost", "tensor", "tensor_cost", "trilinear"
+PLANS_OF = ("symmetry", "section", "section_cost", "tensor", "tensor_cost", "trilinear",
+            "series")
 
 
 def _cost(plan, of, name):

@@ -95,13 +95,14 @@ class Counter:
         self.functions = {f.name: f for f in functions}
         self.names = dict(names)
         self.known = {}
+        self.text = {name: str(f.body) for name, f in self.functions.items()}
 
     def set(self, name, value):
         """Another value of a name; what does not depend on it stays counted."""
         self.names[name] = value
-        changed = {f for f, function in self.functions.items() if name in str(function.body)}
-        while more := {f for f, function in self.functions.items() if f not in changed and any(
-                f"{c}(" in str(function.body) for c in changed)}:
+        changed = {f for f, text in self.text.items() if name in text}
+        while more := {f for f, text in self.text.items() if f not in changed
+                       and any(f"{c}(" in text for c in changed)}:
             changed |= more
         self.known = {f: n for f, n in self.known.items() if f not in changed}
 

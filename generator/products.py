@@ -30,7 +30,10 @@ CLASSES = 8            # of pairs: 1 odd in x, 2 odd in y, 4 odd in z
 SYMMETRIES = range(8)  # the same bits: parities that an element keeps apart
 ALONG = 1              # that of x
 MERGED = tuple(tuple(k for k in range(CLASSES) if not k & s) for s in SYMMETRIES)
-HEIGHTS = 4, 2, 4      # rows at a time: their sums of 1, 6 and 3 columns fit 16 registers
+# Rows at a time, as many as are left of a class, for sums of 1, 6 and 3 columns: 24 sums want the
+# 32 registers that a TALL machine has.
+HEIGHTS = 4, 2, 1
+WIDTHS = 1, 6, 3
 
 
 def pair(i, j):
@@ -60,7 +63,7 @@ class Products:
 
     @property
     def tables(self):
-        """The tables of a struct products, in its order."""
+        """The tables of a struct products, in its order; equal ones under the first's name."""
         return {
             "mirror": self.mirror,
             "pair_t": [t for t, _ in self.pairs], "pair_v": [v for _, v in self.pairs],
@@ -88,6 +91,8 @@ class Products:
         return 2 * count("first_row", "first_pair") + count("first_skew_row", "first_cross")
 
 
+OF_VECTORS = "mirror", "pair_t", "pair_v"  # tables of numbers of vectors
+
 TABLES = {
     "merged": [len(m) for m in MERGED],
     "merged_with": [k for m in MERGED for k in (*m, *(0,) * CLASSES)[:CLASSES]],
@@ -102,9 +107,12 @@ OF = "const struct products *of"
 def functions():
     """The loop nests, the same for all products of all elements."""
     return (_differences(), _products(),
-            _sum("row_stress", "Q", "row", HEIGHTS[0], 1),
-            _sum("row_symmetric", "sym", "row", HEIGHTS[1], 6),
-            _sum("row_skew", "skew", "skew_row", HEIGHTS[2], 3))
+            _sum("row_stress", "Q", "row", 0), _sum("row_symmetric", "sym", "row", 1),
+            _sum("row_skew", "skew", "skew_row", 2))
+
+
+def is_tall(kind, height):
+    return WIDTHS[kind] * height > 12
 
 
 def _differences():
@@ -142,9 +150,11 @@ def _products():
                   *(Do(f"cross[{a}] = {term(*both, '-')};") for a, both in enumerate(mixed))))),))
 
 
-def _sum(name, target, row, height, width):
-    """target_r = sum_p coefficient_rp X_p over the columns that meet the row's class: `height` rows
-    at a time, whose sums stay in registers, then the rest one by one."""
+def _sum(name, target, row, kind):
+    """target_r = sum_p coefficient_rp X_p over the columns that meet the row's class: as many rows
+    at a time as registers hold sums, and are left."""
+    width = WIDTHS[kind]
+    times = f"{width} * " if width > 1 else ""
     skew = row == "skew_row"  # without the diagonal columns, t = v
     first, row = f"of->first_{row}", f"of->{row}"
     columns = "of->first_cross" if skew else "of->first_pair"
@@ -158,34 +168,51 @@ def _sum(name, target, row, height, width):
             loop("m", "merged[symmetry]",
                  Let("k", "c ^ merged_with[CLASSES * symmetry + m]"),
                  loop("p", f"{columns}[k + 1]",
-                      Do(f"const hobe_real *x = X + {width} * {at};", free=True),
+                      Do(f"const hobe_real *x = X + {times}{at};", free=True),
                       *(Do(f"{sums[h][e]} += H[{h}] * x[{e}];")
                         for h in range(height) for e in range(width)),
                       Do(f"H += {height};", free=True),
                       first=f"{columns}[k]")),
-            *(Do(f"{target}[{width} * {row}[r + {h}] + {e}] = {sums[h][e]};", free=True)
-              for h in range(height) for e in range(width)))
+            *(node for h in range(height) for node in (
+                Do(f"to = {target} + {times}{row}[r + {h}];", free=True),
+                *(Do(f"to[{e}] = {sums[h][e]};", free=True) for e in range(width)))))
+
+    def blocks(n, start):
+        """Those of the n-th height and those below, from row `start` on."""
+        if n == len(HEIGHTS):
+            return ()
+        height, rest = HEIGHTS[n], f"r{n + 1}"
+        count = f"(end - {start}) / {height}" if height > 1 else f"end - {start}"
+        tall = "TALL * (" + count + ")" if is_tall(kind, height) else count
+        return (Let(f"n{height}", tall),
+                loop("b", f"n{height}", Let("r", f"{start} + {height} * b"), *rows(height)),
+                *((Let(rest, f"{start} + {height} * n{height}"),) if height > 1 else ()),
+                *blocks(n + 1, rest))
 
     return Function(
         name, (OF, "const double *H", "int symmetry", *given("X"), *filled(target)),
         f"{target}[row][{width}] = the rows' sums of coefficients H times columns\n"
         f" * X[pairs{' - columns' if skew else ''}][{width}]; returns the end of H",
-        (loop("c", "CLASSES",
-              Let("count", f"{first}[c + 1] - {first}[c]"),
-              loop("b", f"count / {height}", Let("r", f"{first}[c] + {height} * b"), *rows(height)),
-              loop("r", f"{first}[c + 1]", *rows(1),
-                   first=f"{first}[c] + count / {height} * {height}")),
+        (Do("hobe_real *to;", free=True),
+         loop("c", "CLASSES",
+              Let("end", f"{first}[c + 1]"), Let("r0", f"{first}[c]"), *blocks(0, "r0")),
          Do("return H;", free=True)), result="const double *")
 
 
 # ---- the coefficients ----------------------------------------------------------------------------
 
 STRUCTURE = """\
+#ifdef __AVX512F__
+enum { TALL = 1 }; /* 32 registers, for sums over more rows at a time */
+#else
+enum { TALL = 0 };
+#endif
+
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -241,8 +268,8 @@ static int symmetry(const struct hobe_invariants *inv)
 """
 
 COEFFICIENTS = """\
-/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the column
- * (t, v), of one station or of all. */
+/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the
+ * column (t, v), of one station or of all. */
 typedef void coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
                           double c[3]);
 
@@ -268,11 +295,14 @@ static void row_vectors(const struct products *of, int r, int *i, int *j)
 }
 
 /* The place, among the coefficients of a class of rows, of the one of row r and column p where sums
- * are taken over `height` rows at a time. */
-static int place(int rows, int columns, int height, int r, int p)
+ * are taken over so many rows at a time as `height` says, down to 1. */
+static int place(int rows, int columns, const int *height, int r, int p)
 {
-    const int together = r < rows / height * height ? height : 1;
-    return (r - r % together) * columns + p * together + r % together;
+    int start = 0;
+    while (r >= start + (rows - start) / *height * *height)
+        start += (rows - start) / *height * *height, height++;
+    const int within = (r - start) % *height;
+    return (r - within) * columns + p * *height + within;
 }
 
 /* How many columns meet the rows of class c; their numbers to pair[], unless that is NULL. */
@@ -293,7 +323,7 @@ static void row_coefficients(const struct products *of, coefficients *value,
                              const struct hobe_invariants *inv, int g, int c, int first, int last,
                              double *H[3])
 {
-    static const int height[3] = {HEIGHTS};
+    static const int height[3][3] = {HEIGHTS};
     const int skew = first == 2;
     const short *row = skew ? of->skew_row : of->row;
     const short *start = skew ? of->first_skew_row : of->first_row;
@@ -328,4 +358,6 @@ static void fill_products(const struct products *of, coefficients *value,
         row_coefficients(of, value, inv, g, c, 2, 3, H); /* of the skew part */
     }
 }
-""".replace("HEIGHTS", ", ".join(map(str, HEIGHTS)))
+""".replace("HEIGHTS", ", ".join(
+    "{" + ", ".join(f"TALL ? {h} : {HEIGHTS[n + 1]}" if is_tall(kind, h) else str(h)
+                    for n, h in enumerate(HEIGHTS)) + "}" for kind in range(3)))

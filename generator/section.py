@@ -18,11 +18,12 @@ and the row of the mirror image, whose weights are +-s c' and +-s c, is +-(first
 part): each part is summed once for two blocks of the tangent.  What follows is as in tensor.py.
 """
 
+from . import tensor
 from .form import (AXIAL, CLEAR_FORCE, CURRENT, INVARIANTS, VECTORS, axis3, filled, given,
                    hand_back, numbers)
 from .ir import Do, Function, If, Let, Note, loop
 from .products import Products, by_class, pair
-from .tensor import LEAD
+from .tensor import ROW
 
 MORE_STATIONS = 2  # HOBE_MORE_STATIONS of kernel.h
 LAW = Do("const double *H = inv->section + AXIAL * inv->stations + inv->step * g;", free=True)
@@ -34,10 +35,10 @@ def products(element):
     parity = parities(element)
     pairs = [(t, v) for t in range(s) for v in range(t + 1)]
     kind = {p: parity[p[0]] ^ parity[p[1]] for p in pairs}
-    kinds = {pair(*p): k for p, k in kind.items()}
-    skew = {pair(*p): k for p, k in kind.items() if p[0] != p[1]}
-    return Products("sectional", s, tuple(range(s)), *by_class(pairs, kind, lambda p: p[0] != p[1]),
-                    *by_class(kinds, kinds), *by_class(skew, skew))
+    pairs, first = by_class(pairs, kind, lambda p: p[0] != p[1])
+    rows = tuple(pair(*p) for p in pairs)
+    return Products("sectional", s, tuple(range(s)), pairs, first, rows, first, rows,
+                    tuple(max(n, s) for n in first))
 
 
 def parities(element):
@@ -50,6 +51,17 @@ def sizes(element):
     """Names and values of the constants of the loops."""
     s = element.sizes["S"]
     return {"GRAMS": s * (s + 1) // 2, "AXIAL": 8 * element.sizes["A"]**2}
+
+
+def tables(element):
+    """Integer tables of the loops by name."""
+    vectors = element.declaration.vectors
+    order = sorted(range(len(vectors)), key=lambda v: vectors[v].mode)
+    opposed = tensor.layout(element).opposed
+    order = [v for v in order if v >= opposed]
+    modes = [vectors[v].mode for v in order]
+    return {"by_mode": order,
+            "first_of": [sum(m < k for m in modes) for k in range(element.sizes["M"] + 1)]}
 
 
 def scratch(element, blocks):
@@ -163,7 +175,7 @@ def _station_rows():
     return Function(
         "station_rows",
         (INVARIANTS, "int g", *given("x0", "x"), *filled("X", "T")),
-        "T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch",
+        "T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]",
         (
             Do("hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;", free=True),
             Do("hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;", free=True),
@@ -187,14 +199,16 @@ def _even_and_odd():
                              Do("hobe_real *plus = along ? T : W, *minus = along ? W : T;",
                                 free=True),
                              loop("e", "10",
-                                  Do("const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 "
-                                     ": 7 * GRAMS + 3 * r + e - 7;", free=True),
+                                  Do("const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 :"
+                                     "\n                     7 * GRAMS + 3 * r + e - 7;",
+                                     free=True),
                                   Do("const hobe_real sum = T[at] + W[at], less = T[at] - W[at];"),
                                   Do("plus[at] = sum;", free=True),
                                   Do("minus[at] = less;", free=True)))),))
 
 
-def _nodal_blocks():
+def _pair_of_rows():
+    """Of the i-th and the j-th nodal vector in the order of modes, which are k and l."""
     sums = [f"s{e}" for e in range(10)]
 
     def add(n, sign):
@@ -207,45 +221,51 @@ def _nodal_blocks():
         return (Do(f"Q[{row}] = {x}[0];", free=True),
                 Do(f"block({x} + 1, {x} + 7, {x}, K + 9 * HOBE_PARTS * {row});"))
 
+    return (
+        Let("v", "larger(by_mode[i], by_mode[j])"), Let("u", "by_mode[i] + by_mode[j] - v"), *ROW,
+        Let("a", "mode[v]"), Let("b", "mode[u]"), Let("parts", "(m <= n) + (m < n)"),
+        Let("p0", "symmetric(a, b)"), Let("p1", "symmetric(a, M - 1 + b)"),
+        Let("p2", "symmetric(M - 1 + a, b)"), Let("p3", "symmetric(M - 1 + a, M - 1 + b)"),
+        Do("const int side = a < b ? -1 : 1;", free=True),
+        Do("hobe_real x[20], y[10];", free=True),
+        loop("z", "parts",
+             Let("part", "odd_of[v] ^ odd_of[u] ^ z"),
+             Let("turned", "part ^ (nodal->mirror[v] < nodal->mirror[u])"),
+             *(Do("hobe_real " + ", ".join(f"{s} = zero" for s in half) + ";", free=True)
+               for half in (sums[:5], sums[5:])),
+             loop("g", "last + 1",
+                  Let("image", "inv->stations - 1 - g"),
+                  Let("same", "part ? image : g"), Let("other", "turned ? image : g"),
+                  Do("const hobe_real *t = T + 10 * GRAMS * same;", free=True),
+                  Do("const hobe_real *w = T + 10 * GRAMS * other;", free=True),
+                  Do("const double *c = inv->section + AXIAL * g + 4 * part +\n"
+                     "                  8 * (A * axial_of[v] + axial_of[u]);", free=True),
+                  Do("const double *d = c + 4 * (turned - part);", free=True),
+                  Do("const double d0 = side * d[0], d1 = d[1], d2 = d[2], "
+                     "d3 = side * d[3];", free=True),
+                  *add(0, "+"),
+                  If("b > 0", add(1, "-")),
+                  If("a > 0", add(2, "+")),
+                  If("a > 0 && b > 0", add(3, "+"))),
+             *(Do(f"x[10 * z + {e}] = {s};", free=True) for e, s in enumerate(sums)),
+             If("v == u", (loop("e", "3", Do("x[10 * z + 7 + e] = zero;")),))),
+        If("parts == 1", store("x", "m")),
+        If("parts == 2", (
+            loop("e", "10", Do("y[e] = x[e] + x[10 + e];")), *store("y", "m"),
+            loop("e", "10", Do("y[e] = x[e] - x[10 + e];")), *store("y", "n"))))
+
+
+def _nodal_blocks():
     return Function(
         "nodal_blocks",
         (INVARIANTS, *given("T"), *filled("Q", "K")),
-        "Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a\n"
-        " * row and its mirror image the sum of what they share, then that of what they differ by",
+        "Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:\n"
+        " * of a row and its mirror image the sum of what they share, then of what they differ by",
         (
             Let("last", LAST),
-            loop("o", "IMAGES + ALONE", *LEAD,
-                 Let("k", "mode[v]"), Let("l", "mode[u]"), Let("parts", "1 + (o < IMAGES)"),
-                 Let("p0", "symmetric(k, l)"), Let("p1", "symmetric(k, M - 1 + l)"),
-                 Let("p2", "symmetric(M - 1 + k, l)"), Let("p3", "symmetric(M - 1 + k, M - 1 + l)"),
-                 Do("const double side = k < l ? -1.0 : 1.0;", free=True),
-                 Do("hobe_real x[20], y[10];", free=True),
-                 loop("z", "parts",
-                      Let("part", "odd_of[v] ^ odd_of[u] ^ z"),
-                      Let("turned", "part ^ (nodal->mirror[v] < nodal->mirror[u])"),
-                      *(Do("hobe_real " + ", ".join(f"{s} = zero" for s in half) + ";", free=True)
-                        for half in (sums[:5], sums[5:])),
-                      loop("g", "last + 1",
-                           Let("image", "inv->stations - 1 - g"),
-                           Do("const hobe_real *t = T + 10 * GRAMS * (part ? image : g);",
-                              free=True),
-                           Do("const hobe_real *w = T + 10 * GRAMS * (turned ? image : g);",
-                              free=True),
-                           Do("const double *c = inv->section + AXIAL * g + 4 * part +\n"
-                              "                  8 * (A * axial_of[v] + axial_of[u]);", free=True),
-                           Do("const double *d = c + 4 * (turned - part);", free=True),
-                           Do("const double d0 = side * d[0], d1 = d[1], d2 = d[2], "
-                              "d3 = side * d[3];", free=True),
-                           *add(0, "+"),
-                           If("l > 0", add(1, "-")),
-                           If("k > 0", add(2, "+")),
-                           If("k > 0 && l > 0", add(3, "+"))),
-                      *(Do(f"x[10 * z + {e}] = {s};", free=True) for e, s in enumerate(sums)),
-                      If("v == u", (axis3("x[10 * z + 7 + a] = zero;"),))),
-                 If("parts == 1", store("x", "m")),
-                 If("parts == 2", (
-                     loop("e", "10", Do("y[e] = x[e] + x[10 + e];")), *store("y", "m"),
-                     loop("e", "10", Do("y[e] = x[e] - x[10 + e];")), *store("y", "n")))),
+            loop("k", "M", loop("l", "k + 1", loop("i", "first_of[k + 1]",
+                 Let("end", "k == l ? i + 1 : first_of[l + 1]"),
+                 loop("j", "end", *_pair_of_rows(), first="first_of[l]"), first="first_of[k]"))),
             If("OPPOSED", (Do("opposed_blocks(K);"),)),
         ))
 
@@ -266,7 +286,8 @@ def _tangent_part():
             loop("g", "inv->stations", Do("station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);")),
             Let("couples", "MIRRORED ? inv->stations / 2 : 0"),
             loop("g", "couples",
-                 Do("even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * (inv->stations - 1 - g));")),
+                 Let("other", "inv->stations - 1 - g"),
+                 Do("even_and_odd(T + 10 * GRAMS * g, T + 10 * GRAMS * other);")),
             Do("nodal_blocks(inv, T, Q, K);"),
             Note("D = D0 + U"),
             loop("i", "3 * V", Do("x[i] += x0[i];")),

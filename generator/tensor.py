@@ -60,8 +60,6 @@ class Layout:
     sign: tuple         # of each vector of a row: that of its image
     columns: tuple      # Column
     products: Products  # of the columns, for the rows
-    images: tuple       # (i, j) of rows that come before those of their mirror images, by modes
-    alone: tuple        # of rows that are their own image
 
     @property
     def sizes(self):
@@ -70,8 +68,6 @@ class Layout:
             "COLUMNS": len(self.columns),
             "PAIRS": len(self.products.pairs),
             "BLOCKS": pair(len(self.sign), 0),
-            "IMAGES": len(self.images),
-            "ALONE": len(self.alone),
             "CLASSES": CLASSES,
             "LAST": self.last,
             "OPPOSED": int(self.opposed),
@@ -85,7 +81,6 @@ class Layout:
             "odd_of": [int(s < 0) for s in self.sign],
             "left": [c.left for c in self.columns], "right": [c.right for c in self.columns],
             "shifted": [int(c.shifted) for c in self.columns],
-            "lead": [v for row in self.images + self.alone for v in row],
         }
 
 
@@ -104,12 +99,10 @@ def layout(element):
     if opposed:  # the last position from the first: odd about mid-length, like its function
         end = positions[1]
         mirror, sign = _put(mirror, end, end), _put(sign, end, -1)
-    rows, kinds, skew_kinds, images, alone = _rows(mirror, sign, parity, first=int(opposed))
+    rows, kinds, skew_kinds = _rows(mirror, sign, parity, first=int(opposed))
     products = Products("nodal", len(columns), mirror, pairs, first_pair, *by_class(rows, kinds),
                         *by_class(skew_kinds, skew_kinds))
-    images, alone = (tuple(sorted(rows, key=lambda row: sorted(vectors[v].mode for v in row)))
-                     for rows in (images, alone))
-    return Layout(positions[-1], opposed, mirrored, sign, columns, products, images, alone)
+    return Layout(positions[-1], opposed, mirrored, sign, columns, products)
 
 
 def _put(items, place, item):
@@ -160,11 +153,11 @@ def _columns(mirror, sign, parity, positions):
 
 
 def _rows(mirror, sign, parity, first):
-    """Rows of vectors from `first` on; classes of those of S and of R; images; rows alone.  Of two
+    """Rows of vectors from `first` on; classes of those of S and of R.  Of two
     images with the sign s, the first row holds the part that both have alike, x-even where s > 0;
     the second the other.  An image with its indices exchanged is a transpose, and that of R is
     -R."""
-    rows, kinds, skew, images, alone = [], {}, {}, [], []
+    rows, kinds, skew = [], {}, {}
     for i in range(first, len(mirror)):
         for j in range(first, i + 1):
             row, yz = pair(i, j), parity[i] ^ parity[j]
@@ -175,11 +168,7 @@ def _rows(mirror, sign, parity, first):
             kinds[row] = yz + odd
             if i != j:
                 skew[row] = yz + (odd ^ (a < b))
-            if row < other:
-                images.append((i, j))
-            elif row == other:
-                alone.append((i, j))
-    return rows, kinds, skew, images, alone
+    return rows, kinds, skew
 
 
 # ---- loop nests ----------------------------------------------------------------------------------
@@ -227,18 +216,22 @@ def _state():
          Do("return H;", free=True)), result="const double *")
 
 
-# Of a row that leads, the vectors and the number; and the number of its mirror image.
-LEAD = (Let("v", "lead[2 * o]"), Let("u", "lead[2 * o + 1]"), Let("m", "hobe_pair(v, u)"),
-        Let("n", "symmetric(nodal->mirror[v], nodal->mirror[u])"))
+# The number of a row of vectors v >= u, and of its mirror image.
+ROW = Let("m", "hobe_pair(v, u)"), Let("n", "symmetric(nodal->mirror[v], nodal->mirror[u])")
+
+
+def _rows_and_images(alone, both):
+    """Statements for rows that are their own mirror image, and for pairs of rows."""
+    return loop("v", "V", loop("u", "v + 1", *ROW, *((If("m == n", alone),) if alone else ()),
+                               If("m < n", both), first="OPPOSED"), first="OPPOSED")
 
 
 def _images():
     return Function(
         "images", filled("Q"), "Q of the rows from the parts that mirror images share",
-        (loop("o", "IMAGES", *LEAD,
-              Do("hobe_real *a = Q + m, *b = Q + n;", free=True),
-              Do("const hobe_real sum = a[0] + b[0], difference = a[0] - b[0];"),
-              Do("a[0] = sum;", free=True), Do("b[0] = difference;", free=True)),))
+        (_rows_and_images((), (
+            Do("const hobe_real sum = Q[m] + Q[n], difference = Q[m] - Q[n];"),
+            Do("Q[m] = sum;", free=True), Do("Q[n] = difference;", free=True))),))
 
 
 def _force():
@@ -300,16 +293,14 @@ def _blocks():
         "blocks", (*given("Q", "sym", "skew"), *filled("K")),
         "K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, "
         "those of images from their sum and difference",
-        (loop("o", "IMAGES", *LEAD,
-              Do("hobe_real s[6], r[3];", free=True),
-              loop("e", "6", Do("s[e] = sym[6 * m + e] + sym[6 * n + e];")),
-              loop("e", "3", Do("r[e] = skew[3 * m + e] + skew[3 * n + e];")),
-              store("m"),
-              loop("e", "6", Do("s[e] = sym[6 * m + e] - sym[6 * n + e];")),
-              loop("e", "3", Do("r[e] = skew[3 * m + e] - skew[3 * n + e];")),
-              store("n")),
-         loop("o", "IMAGES + ALONE", *LEAD[:3], store("m", "sym + 6 * m", "skew + 3 * m"),
-              first="IMAGES")))
+        (_rows_and_images((store("m", "sym + 6 * m", "skew + 3 * m"),), (
+            Do("hobe_real s[6], r[3];", free=True),
+            loop("e", "6", Do("s[e] = sym[6 * m + e] + sym[6 * n + e];")),
+            loop("e", "3", Do("r[e] = skew[3 * m + e] + skew[3 * n + e];")),
+            store("m"),
+            loop("e", "6", Do("s[e] = sym[6 * m + e] - sym[6 * n + e];")),
+            loop("e", "3", Do("r[e] = skew[3 * m + e] - skew[3 * n + e];")),
+            store("n"))),))
 
 
 def _tangent_part():

@@ -30,7 +30,8 @@ void around_look(const hobe_model *model, const double *u, struct place place, s
     p->kernel->shape(place.xi, length, p->N, p->Nx);
     beam_frame(beam, place.element, p->N, p->Nx, p->frame);
     for (int v = 0; v < p->kernel->vectors; v++)
-        memcpy(p->u + 3 * v, u + 3 * model_vector(model, beam, place.element, v), 3 * sizeof *p->u);
+        for (int a = 0; a < 3; a++)
+            p->u[3 * v + a] = u ? u[3 * model_vector(model, beam, place.element, v) + a] : 0;
 }
 
 struct hobe_section_place around_section_place(struct place place)

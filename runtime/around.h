@@ -20,7 +20,8 @@ struct around {
 const struct beam *around_find(const hobe_model *model, const char *name, double at,
                                struct place *place, struct hobe_error *err);
 
-/* Displacements of the element's vectors in the state u and its axial functions at a place. */
+/* Displacements of the element's vectors in the state u, NULL: none, and its axial functions at a
+ * place. */
 void around_look(const hobe_model *model, const double *u, struct place place, struct around *p);
 
 /* Where that is, as sections want to know it. */

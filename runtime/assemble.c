@@ -11,8 +11,8 @@
 #endif
 
 enum {
-    BATCHES_PER_TASK = 16, /* neighbours that find each other's panels in the cache */
-    TASKS_PER_THREAD = 2   /* fewer are done before a second thread wakes up */
+    BATCHES_PER_TASK = 16,    /* neighbours that find each other's panels in the cache */
+    ELEMENTS_PER_THREAD = 512 /* fewer are done before a second thread wakes up */
 };
 
 static int most_threads(void)
@@ -125,10 +125,12 @@ static enum hobe_status open_workspaces(const struct hobe_model *model, struct s
 enum hobe_status assemble_schedule(hobe_model *model, struct hobe_error *err)
 {
     struct schedule *s = &model->schedule;
-    long tasks = 0;
-    for (size_t i = 0; i < model->beams.count; i++)
+    long tasks = 0, elements = 0;
+    for (size_t i = 0; i < model->beams.count; i++) {
         tasks += tasks_of(model_beam(model, i));
-    const long useful = 1 + tasks / TASKS_PER_THREAD;
+        elements += model_beam(model, i)->spec.elements;
+    }
+    const long useful = 1 + elements / ELEMENTS_PER_THREAD;
     s->threads = useful < most_threads() ? (int)useful : most_threads();
     const enum hobe_status status = order_tasks(model, tasks, s, err);
     return status ? status : open_workspaces(model, s, err);
@@ -228,6 +230,8 @@ struct assembly {
     double *f;
     const struct matrix *K;
     double rate;
+    const struct series_table *table;
+    int order; /* of the series */
 };
 
 typedef void batch_work(const struct assembly *, const struct beam *, const struct batch *,
@@ -287,7 +291,7 @@ void assemble_expecting(const struct hobe_model *model, const double *u, const d
     memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
     if (K)
         pattern_clear(model, K);
-    each_batch(&(struct assembly){model, u, v, f, K, 0}, add_batch);
+    each_batch(&(struct assembly){.model = model, .u = u, .v = v, .f = f, .K = K}, add_batch);
 }
 
 void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K)
@@ -312,7 +316,7 @@ void assemble_strained(const struct hobe_model *model, const double *u, const do
                        const struct matrix *K)
 {
     pattern_clear(model, K);
-    each_batch(&(struct assembly){model, u, v, NULL, K, 0}, add_strained);
+    each_batch(&(struct assembly){.model = model, .u = u, .v = v, .K = K}, add_strained);
 }
 
 /* work->q0 = q in state u, work->f = 2 T(q; q, v). */
@@ -355,7 +359,7 @@ static void add_viscous(const struct assembly *a, const struct beam *beam,
 void assemble_viscous(const struct hobe_model *model, const double *u,
                       const struct instant *instant, double *f, const struct matrix *K)
 {
-    each_batch(&(struct assembly){model, u, instant->v, f, K, instant->rate}, add_viscous);
+    each_batch(&(struct assembly){model, u, instant->v, f, K, instant->rate, NULL, 0}, add_viscous);
 }
 
 double assemble_viscous_power(const struct hobe_model *model, const double *u, const double *v)
@@ -376,6 +380,76 @@ double assemble_viscous_power(const struct hobe_model *model, const double *u, c
     return power;
 }
 
+/* ---- series ---------------------------------------------------------------------------------- */
+
+static enum hobe_status lay_out_table(const struct hobe_model *model, int order,
+                                      struct series_table *table, size_t *size,
+                                      struct hobe_error *err)
+{
+    *size = 0;
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const struct hobe_kernel *k = beam->kernel;
+        size_t stations = 0;
+        if (!k->series)
+            return hobe_fail(err, HOBE_BAD_INPUT, beam->spec.where,
+                             "method = \"series\" needs elements whose energy is a polynomial; "
+                             "that of %s (beam \"%s\") is none: use method = \"newton\"",
+                             k->name, beam->name);
+        for (int b = 0; b < beam->batches; b++) {
+            const size_t here = (size_t)hobe_element_invariants(beam->batch[b].law)->stations;
+            stations = here > stations ? here : stations;
+        }
+        table->beam[i] = *size;
+        table->batch[i] = (size_t)(order + 1) * stations *
+                          (size_t)(3 * (2 * k->modes - 1) + k->normals + k->shears);
+        *size += (size_t)beam->batches * table->batch[i];
+    }
+    return HOBE_OK;
+}
+
+enum hobe_status assemble_series_open(const struct hobe_model *model, int order,
+                                      struct series_table *table, struct hobe_error *err)
+{
+    size_t size;
+    table->beam = hobe_alloc(2 * model->beams.count, sizeof *table->beam, err);
+    if (!table->beam)
+        return HOBE_NO_MEMORY;
+    table->batch = table->beam + model->beams.count;
+    const enum hobe_status status = lay_out_table(model, order, table, &size, err);
+    if (status)
+        return status;
+    table->value = hobe_alloc(size, sizeof *table->value, err);
+    return table->value ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+void assemble_series_close(struct series_table *table)
+{
+    hobe_free(table->value);
+    hobe_free(table->beam);
+}
+
+static void add_coefficient(const struct assembly *a, const struct beam *beam,
+                            const struct batch *batch, struct workspace *work)
+{
+    const long i = beam - model_beam(a->model, 0), b = batch - beam->batch;
+    gather(a->model, beam, batch, a->u, work->u);
+    beam->kernel->series(hobe_element_invariants(batch->law), a->order, batch->q0, work->u,
+                         a->table->value + a->table->beam[i] + (size_t)b * a->table->batch[i],
+                         work->f);
+    scatter_force(a->model, beam, batch, work->f, a->f);
+}
+
+void assemble_series(const struct hobe_model *model, int k, const double *u,
+                     const struct series_table *table, double *f)
+{
+    memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
+    each_batch(&(struct assembly){.model = model, .u = u, .f = f, .table = table, .order = k},
+               add_coefficient);
+}
+
+/* ---- energy and single elements -------------------------------------------------------------- */
+
 double assemble_energy(const struct hobe_model *model, const double *u)
 {
     const struct workspace *work = model->schedule.work;
@@ -394,20 +468,27 @@ double assemble_energy(const struct hobe_model *model, const double *u)
 }
 
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
-                                  const double *u, double *f, struct hobe_error *err)
+                                  const double *u, const double *v, double *f,
+                                  struct hobe_error *err)
 {
     const struct hobe_kernel *k = beam->kernel;
     const size_t n = 3 * (size_t)k->vectors;
     const struct batch *batch = beam->batch;
-    hobe_lanes *of = hobe_alloc(2 * n + k->scratch, sizeof *of, err);
+    hobe_lanes *of = hobe_alloc(3 * n + k->scratch, sizeof *of, err);
     if (!of)
         return HOBE_NO_MEMORY;
+    const struct workspace work = {.q0 = of, .u = of + n, .f = of + 2 * n, .scratch = of + 3 * n};
     while (e >= batch->first + batch->count)
         batch++;
-    gather(model, beam, batch, u, of);
-    k->force(hobe_element_invariants(batch->law), batch->q0, of, of + n, of + 2 * n);
+    gather(model, beam, batch, u, work.u);
+    k->force(hobe_element_invariants(batch->law), batch->q0, work.u, work.f, work.scratch);
     for (size_t i = 0; i < n; i++)
-        f[i] = of[n + i][e - batch->first];
+        f[i] = work.f[i][e - batch->first];
+    if (v && beam->spec.damping.stiffness > 0) {
+        find_viscous(model, beam, batch, u, v, &work);
+        for (size_t i = 0; i < n; i++)
+            f[i] += beam->spec.damping.stiffness * work.f[i][e - batch->first];
+    }
     hobe_free(of);
     return HOBE_OK;
 }

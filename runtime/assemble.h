@@ -23,15 +23,34 @@ void assemble(const struct hobe_model *model, const double *u, double *f, const 
 void assemble_expecting(const struct hobe_model *model, const double *u, const double *v, double *f,
                         const struct matrix *K);
 
-/* f[V][3] = dU/dq of element e of a beam alone, N, in memory of its own. */
+/* f[V][3] = dU/dq of element e of a beam alone, N, in memory of its own, and what its viscous
+ * stress adds where it has the velocities v[vectors][3]; NULL: at rest. */
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
-                                  const double *u, double *f, struct hobe_error *err);
+                                  const double *u, const double *v, double *f,
+                                  struct hobe_error *err);
 
 /* K = the tangent of elements that are where u puts them and have come there from where
  * u - v would: it differs from that of unstrained ones by the geometric stiffness of the strains of
  * v, to the first order, without what the displacements v themselves change. */
 void assemble_strained(const struct hobe_model *model, const double *u, const double *v,
                        const struct matrix *K);
+
+/* What the elements keep of the power series of a path (hobe_kernel.series). */
+struct series_table {
+    hobe_lanes *value;
+    size_t *batch; /* [beams] from a batch to the next, */
+    size_t *beam;  /* [beams] from the first of all to a beam's first one */
+};
+
+/* Room for series up to an order.  HOBE_BAD_INPUT where an element's energy is not quartic. */
+enum hobe_status assemble_series_open(const struct hobe_model *model, int order,
+                                      struct series_table *table, struct hobe_error *err);
+void assemble_series_close(struct series_table *table);
+
+/* f[vectors][3] = the coefficient of a^k, k = 1, 2, ..., of dU/dq of all elements along the states
+ * u_0 + a u_1 + ... + a^(k-1) u_(k-1), of which u = u_(k-1), N; overwritten. */
+void assemble_series(const struct hobe_model *model, int k, const double *u,
+                     const struct series_table *table, double *f);
 
 /* The viscous stress of Kelvin and Voigt, S = tau C : dE/dt, of the beams whose damping.stiffness,
  * tau, is not zero: f += tau K_m(u) v, which is 2 tau T(q; q, v) of the kernels, and K += rate tau

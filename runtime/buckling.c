@@ -65,13 +65,13 @@ static void stiffen(struct pencil *s, const double *rate, double lambda, double 
     const hobe_model *model = s->model;
     const struct matrix K = {COLUMNS, Ax};
     const struct instant instant = solution_instant(s->state);
-    const long beams = 3 * model->beam_vectors, all = 3 * model->vectors;
-    for (long i = 0; i < beams; i++)
+    const long moving = 3 * model->moving, all = 3 * model->vectors;
+    for (long i = 0; i < moving; i++)
         v[i] = step * rate[i];
     assemble_strained(model, s->u, v, &K);
     spring_strained(model, s->u, v, &K);
     for (long i = 0; i < all; i++) /* multipliers are forces */
-        v[i] = s->u[i] + (i < beams ? 0 : step * rate[i]);
+        v[i] = s->u[i] + (i < moving ? 0 : step * rate[i]);
     constraint_add(model, v, &instant, s->r, &K);
     load_subtract(model, s->u, &instant, lambda + step, s->r, &K);
 }

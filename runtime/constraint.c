@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "constraint.h"
 
+#include "body.h"
 #include "element.h"
 #include "vector3.h"
 
@@ -58,7 +59,7 @@ void tied_at(struct place place, struct tied *tied)
     for (int v = 0; v < beam->kernel->vectors; v++)
         if (N[v] != 0)
             add(N[v], q0 + 3 * v, field[beam->kernel->vector[v].mode]);
-    tied->place = place;
+    *tied = (struct tied){.place = place};
     beam_frame(beam, place.element, N, Nx, tied->frame);
     for (int a = 0; a < 3; a++)
         tied->position[a] = beam->origin ? beam->origin[place.element][a] + field[0][a]
@@ -66,6 +67,18 @@ void tied_at(struct place place, struct tied *tied)
     memcpy(tied->D0[1], field[1], sizeof field[1]);
     memcpy(tied->D0[2], field[2], sizeof field[2]);
     cross3(field[1], field[2], tied->D0[0]);
+}
+
+void tied_on_body(const struct body *body, const double point[3], const int slope[2],
+                  struct tied *tied)
+{
+    *tied = (struct tied){.body = body, .slope = {slope[0], slope[1]}};
+    memcpy(tied->position, point, sizeof tied->position);
+    for (int i = 0; i < 2; i++)
+        tied->D0[1 + i][slope[i]] = 1;
+    cross3(tied->D0[1], tied->D0[2], tied->D0[0]);
+    for (int i = 0; i < 3; i++)
+        tied->frame[i][i] = 1;
 }
 
 struct tie *tie_add(struct hobe_model *model, const struct tied *a, const struct tied *b,
@@ -94,6 +107,14 @@ void tie_turning(struct tie *tie)
     }
 }
 
+void tie_slopes(struct tie *tie)
+{
+    const int section = tie->side[0].place.beam ? 0 : 1;
+    for (int i = 1; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            tie_constraint(tie)->turn[section ? j : i][section ? i : j] = 1;
+}
+
 /* The place of a number among the tie's vectors, where it is put unless it is there. */
 static int enter(struct tie *tie, long number)
 {
@@ -105,26 +126,45 @@ static int enter(struct tie *tie, long number)
     return i;
 }
 
+/* A vector's part in r, y or z (0, 1, 2) of a side, unless it has none. */
+static void add_term(struct tie *tie, int side, long vector, int what, double weight)
+{
+    if (weight != 0)
+        tie->term[tie->terms++] = (struct tie_term){enter(tie, vector), 3 * side + what, weight};
+}
+
 static void add_terms(const struct hobe_model *model, struct tie *tie, int side)
 {
-    const struct place place = tie->side[side].place;
+    const struct tied *tied = tie->side + side;
+    const struct place place = tied->place;
     double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS];
+    if (tied->body) {
+        body_weights(tied->body, tied->position, N);
+        for (int v = 0; v < BODY_VECTORS; v++)
+            add_term(tie, side, tied->body->first + v, 0, N[v]);
+        for (int i = 0; i < 2; i++)
+            add_term(tie, side, tied->body->first + 1 + tied->slope[i], 1 + i, 1);
+    }
     if (!place.beam)
         return;
     weigh(place, N, Nx);
     for (int v = 0; v < place.beam->kernel->vectors; v++)
-        if (N[v] != 0)
-            tie->term[tie->terms++] =
-                (struct tie_term){enter(tie, model_vector(model, place.beam, place.element, v)),
-                                  3 * side + place.beam->kernel->vector[v].mode, N[v]};
+        add_term(tie, side, model_vector(model, place.beam, place.element, v),
+                 place.beam->kernel->vector[v].mode, N[v]);
+}
+
+/* At most so many terms has a side. */
+static size_t most_terms(const struct tied *tied)
+{
+    if (tied->body)
+        return BODY_VECTORS + 2;
+    return tied->place.beam ? (size_t)tied->place.beam->kernel->vectors : 0;
 }
 
 enum hobe_status tie_resolve(struct hobe_model *model, struct tie *tie, struct hobe_error *err)
 {
-    size_t most = 0;
+    const size_t most = most_terms(tie->side) + most_terms(tie->side + 1);
     tie->blocks = (tie->constraints + 2) / 3;
-    for (int s = 0; s < 2; s++)
-        most += tie->side[s].place.beam ? (size_t)tie->side[s].place.beam->kernel->vectors : 0;
     tie->term = hobe_alloc(most, sizeof *tie->term, err);
     tie->vector = hobe_alloc(most + (size_t)tie->blocks, sizeof *tie->vector, err);
     if (!tie->term || !tie->vector)
@@ -173,22 +213,21 @@ static void turn_columns(const double e[3], double alpha, double beta, const dou
     }
 }
 
-/* The p-th derivative by time of a constraint: of the rotation R = 1 + sin(theta) [e]x + (1 -
- * cos(theta)) [e]x^2, whose alpha and beta are those of sine and 1 - cosine, and of the way. */
-static struct constraint drive_constraint(const struct tie *tie, const struct constraint *is, int p,
-                                          double alpha, double beta, double way)
+/* Adds to c, the p-th derivative by time of a constraint, what the rotation R = 1 + sin(theta) [e]x
+ * + (1 - cos(theta)) [e]x^2 has beside 1, alpha and beta those of sine and 1 - cosine, and the way.
+ */
+static void drive_constraint(const struct tie *tie, const struct constraint *is, int p,
+                             double alpha, double beta, double way, struct constraint *c)
 {
-    struct constraint c = p == 0 ? *is : (struct constraint){.offset = 0};
     double turned[3][3];
     turn_columns(tie->axis, alpha, beta, is->turn, turned);
-    c.offset = is->driven ? -way : 0;
+    c->offset -= is->driven ? way : 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
-            c.turn[i][j] += turned[i][j];
+            c->turn[i][j] += turned[i][j];
             if (p == 0) /* as `value` takes D_a0' D_b0 from D_a' D_b */
-                c.offset += turned[i][j] * dot3(tie->side[0].D0[i], tie->side[1].D0[j]);
+                c->offset += turned[i][j] * dot3(tie->side[0].D0[i], tie->side[1].D0[j]);
         }
-    return c;
 }
 
 /* c[p][k] = the p-th derivative by time of constraint k at an instant, p < ORDERS. */
@@ -197,6 +236,10 @@ static enum hobe_status constraints_at(const struct tie *tie, const struct insta
                                        struct hobe_error *err)
 {
     double a[ORDERS], s[ORDERS];
+    memcpy(c[0], tie->constraint, sizeof c[0]);
+    memset(c + 1, 0, (ORDERS - 1) * sizeof *c);
+    if (!tie->angle && !tie->position)
+        return HOBE_OK;
     enum hobe_status status = drive_at(tie->angle, instant, a, err);
     if (!status)
         status = drive_at(tie->position, instant, s, err);
@@ -215,7 +258,7 @@ static enum hobe_status constraints_at(const struct tie *tie, const struct insta
                              "a distance of %g m cannot change by %g m, at t = %g s", 1 / is->bend,
                              s[0], instant->time);
         for (int p = 0; p < ORDERS; p++)
-            c[p][k] = drive_constraint(tie, is, p, alpha[p], beta[p], way[p]);
+            drive_constraint(tie, is, p, alpha[p], beta[p], way[p], c[p] + k);
     }
     return HOBE_OK;
 }
@@ -331,10 +374,10 @@ static struct constraint combine(const struct tie *tie, const struct constraint 
     return sum;
 }
 
-void tie_jacobian(const struct tie *tie, const double *u, double J[TIE_CONSTRAINTS][TIE_VECTORS][3])
+void tie_jacobian(const struct tie *tie, double J[TIE_CONSTRAINTS][TIE_VECTORS][3])
 {
     struct state s;
-    read_state(tie, u, &s);
+    read_state(tie, NULL, &s);
     for (int k = 0; k < tie->constraints; k++)
         gradient(tie->constraint + k, &s, J[k]);
 }
@@ -506,11 +549,11 @@ void constraint_add(const struct hobe_model *model, const double *u, const struc
 /* ---- their derivatives by time --------------------------------------------------------------- */
 
 /* Directions and distance of a tie and their derivatives along u + v t. */
-struct motion {
+struct rates {
     double D[ORDERS][2][3][3], d[ORDERS][3];
 };
 
-static void read_motion(const struct tie *tie, const double *u, const double *v, struct motion *m)
+static void read_rates(const struct tie *tie, const double *u, const double *v, struct rates *m)
 {
     struct state s;
     double moved[TIE_VECTORS][3];
@@ -534,7 +577,7 @@ static void read_motion(const struct tie *tie, const double *u, const double *v,
 /* The p-th derivative, p = 1 or 2, of constraint k, a sum of products, by Leibniz's rule:
  * (f g)'' = f'' g + 2 f' g' + f g''. */
 static double derivative(int p, struct constraint c[ORDERS][TIE_CONSTRAINTS], int k,
-                         const struct motion *m)
+                         const struct rates *m)
 {
     double sum = c[p][k].offset + dot3(c[0][k].hold, m->d[p]);
     for (int i = 0; i <= p; i++) {
@@ -561,9 +604,9 @@ static void differentiate(const struct hobe_model *model, int p, const double *u
     for (size_t i = 0; i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         struct constraint c[ORDERS][TIE_CONSTRAINTS];
-        struct motion m;
+        struct rates m;
         constraints_now(model, tie, instant, c);
-        read_motion(tie, u, v, &m);
+        read_rates(tie, u, v, &m);
         for (int k = 0; k < tie->constraints; k++)
             out[3 * tie->multiplier + k] = derivative(p, c, k, &m);
     }
@@ -585,12 +628,12 @@ enum hobe_status tie_power(const struct tie *tie, const double *u, const struct 
                            double *power, struct hobe_error *err)
 {
     struct constraint c[ORDERS][TIE_CONSTRAINTS];
-    struct motion m;
+    struct rates m;
     const enum hobe_status status = constraints_at(tie, instant, c, err);
     *power = 0;
     if (status)
         return status;
-    read_motion(tie, u, NULL, &m);
+    read_rates(tie, u, NULL, &m);
     for (int k = 0; k < tie->constraints; k++)
         *power += u[3 * tie->multiplier + k] * derivative(1, c, k, &m);
     return HOBE_OK;

@@ -26,8 +26,10 @@
 
 #include "model.h"
 
+struct body;
+
 enum {
-    TIE_CONSTRAINTS = 6,
+    TIE_CONSTRAINTS = 9,
     TIE_VECTORS = 6 /* r, y, z of a, then of b */
 };
 
@@ -37,9 +39,12 @@ struct constraint {
     double offset; /* what drives add to Phi, at an instant */
 };
 
-/* One of the two places: beam NULL is the ground, whose directions are the global axes. */
+/* One of the two places: on a beam, where that is not NULL; of a body; or of the ground, whose
+ * directions are the global axes.  y and z of a body are two of its directions. */
 struct tied {
     struct place place;
+    const struct body *body;
+    int slope[2];                    /* which: y and z are d_{1 + slope} */
     double position[3], frame[3][3]; /* in the reference, m; the section's axes there, rows */
     double D0[3][3];                 /* n, y, z there, rows */
 };
@@ -53,6 +58,7 @@ struct tie_term {
 struct tie {
     const char *where, *name; /* of the joint; NULL of a corner */
     int corner;               /* from a join of beams at an angle */
+    int rigidity;             /* of a body with itself: it stops no motion */
     struct tied side[2];
     int constraints;
     struct constraint constraint[TIE_CONSTRAINTS];
@@ -79,6 +85,10 @@ static inline int tie_entry(const struct tie *tie, int k)
 /* Finds a place of a beam in the reference. */
 void tied_at(struct place place, struct tied *tied);
 
+/* The same for a point of a body, global axes, m; y and z of a joint are d_2 and d_3. */
+void tied_on_body(const struct body *body, const double point[3], const int slope[2],
+                  struct tied *tied);
+
 /* Adds a tie between two places to a model, without constraints; NULL with err set. */
 struct tie *tie_add(struct hobe_model *model, const struct tied *a, const struct tied *b,
                     struct hobe_error *err);
@@ -91,15 +101,17 @@ struct constraint *tie_constraint(struct tie *tie);
  * stretch. */
 void tie_turning(struct tie *tie);
 
+/* Six: the slopes y, z of the one keep their components on the directions n, y, z of the other, a
+ * body or the ground. */
+void tie_slopes(struct tie *tie);
+
 /* Numbers the multipliers, and finds the vectors that a tie whose constraints are complete acts on.
  */
 enum hobe_status tie_resolve(struct hobe_model *model, struct tie *tie, struct hobe_error *err);
 void tie_free(struct tie *tie);
 
-/* J[k] = the derivatives of the constraints by r, y, z of both places in state u, NULL: the
- * reference. */
-void tie_jacobian(const struct tie *tie, const double *u,
-                  double J[TIE_CONSTRAINTS][TIE_VECTORS][3]);
+/* J[k] = the derivatives of the constraints by r, y, z of both places in the reference. */
+void tie_jacobian(const struct tie *tie, double J[TIE_CONSTRAINTS][TIE_VECTORS][3]);
 
 /* What a tie does to its place b: force, N, and moment about it, N m, global axes.  Errors of its
  * drives. */
@@ -127,6 +139,11 @@ void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
 /* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL. */
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);
+
+/* f += the coefficient of a^k, k > 0, of that along the states u_0 + a u_1 + ... + a^(known-1)
+ * u_(known-1), u[known]; known <= k <= TAYLOR_ORDER of taylor.h (constraint_series.c). */
+void constraint_series(const struct hobe_model *model, const double *const *u, int known, int k,
+                       double *f);
 
 /* At the multipliers, into a field rate[vectors][3] that is zero elsewhere: Phi_t, what drives ask
  * of the velocities, Phi_q v + Phi_t = 0.  A drive that fails leaves its error in the model, and

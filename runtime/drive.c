@@ -51,7 +51,7 @@ static int point_before(const hobe_drive *drive, double t)
 static double between_points(const hobe_drive *drive, int i, double tau, double f[3])
 {
     const double *from = drive->point[i], *to = drive->point[i + 1];
-    const double T = to[0] - from[0], rise = to[1] - from[1], w = PI / T;
+    const double T = to[0] - from[0], rise = to[1] - from[1];
     f[0] = from[1];
     if (T == 0)
         return 0;
@@ -60,7 +60,7 @@ static double between_points(const hobe_drive *drive, int i, double tau, double 
         f[1] = rise / T;
         return from[1] * tau + rise * tau * tau / (2 * T);
     }
-    const double half = sin(w * tau / 2);
+    const double w = PI / T, half = sin(w * tau / 2);
     f[0] += rise * half * half;
     f[1] = rise / 2 * w * sin(w * tau);
     f[2] = rise / 2 * w * w * cos(w * tau);
@@ -122,7 +122,7 @@ static enum hobe_status differentiate(const hobe_drive *drive, double t, int ord
     const double(*is)[STENCIL] = stencil[t < 2 * STEP];
     enum hobe_status status = HOBE_OK;
     memset(f, 0, (size_t)orders * sizeof *f);
-    for (int i = 0; !status && i < STENCIL; i++) {
+    for (int i = 0; !status && i < (orders > 1 ? STENCIL : 1); i++) {
         double value;
         status = call(drive, t + is[0][i] * STEP, &value, err);
         if (!status && i == 0)
@@ -165,11 +165,11 @@ static enum hobe_status fill_cells(hobe_drive *drive, size_t k, struct hobe_erro
     return status;
 }
 
-static enum hobe_status at_function(hobe_drive *drive, double t, double d[3],
+static enum hobe_status at_function(hobe_drive *drive, double t, int orders, double d[3],
                                     struct hobe_error *err)
 {
     if (!drive->integral)
-        return differentiate(drive, t, 3, d, err);
+        return differentiate(drive, t, orders, d, err);
     if (!(t / CELL < MOST_CELLS))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a function that gives a velocity is integrated up to t = %g s, got %g; "
@@ -181,19 +181,26 @@ static enum hobe_status at_function(hobe_drive *drive, double t, double d[3],
         return status;
     d[0] = drive->cell[k];
     status = integrate(drive, (double)k * CELL, t - (double)k * CELL, d, err);
-    return status ? status : differentiate(drive, t, 2, d + 1, err);
+    return status || orders == 1 ? status : differentiate(drive, t, orders - 1, d + 1, err);
 }
 
 /* ---- drives ---------------------------------------------------------------------------------- */
 
-enum hobe_status hobe_drive_at(hobe_drive *drive, double t, double d[3], struct hobe_error *err)
+/* d[orders <= 3], room for three. */
+static enum hobe_status evaluate(hobe_drive *drive, double t, int orders, double d[3],
+                                 struct hobe_error *err)
 {
     if (!(t >= 0 && isfinite(t)))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "time begins at 0 s, got %g", t);
     if (drive->function)
-        return at_function(drive, t, d, err);
+        return at_function(drive, t, orders, d, err);
     at_points(drive, t, d);
     return HOBE_OK;
+}
+
+enum hobe_status hobe_drive_at(hobe_drive *drive, double t, double d[3], struct hobe_error *err)
+{
+    return evaluate(drive, t, 3, d, err);
 }
 
 double hobe_drive_next(const hobe_drive *drive, double t)
@@ -295,7 +302,7 @@ double drive_factor(const struct hobe_model *model, hobe_drive *history, double 
 {
     struct hobe_error err;
     double d[3] = {1};
-    if (!history || !hobe_drive_at(history, t, d, &err))
+    if (!history || !evaluate(history, t, 1, d, &err))
         return d[0];
     model_fail(model, where, &err);
     return NAN;

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Motion in time: where it starts, which steps it takes, what is kept of it. */
+#include "dynamic.h"
+
+#include "body.h"
 #include "constraint.h"
 #include "drive.h"
-#include "history.h"
 #include "mass.h"
 #include "solution.h"
 #include "vector3.h"
@@ -23,7 +25,7 @@ static const double CLOSED = 1e-8;
 static const double SAFETY = 0.9, SHRINK = 0.3, GROW = 1.5, MOST_GROWTH = 2;
 
 /* Steps of one length at least before it grows. */
-enum { PATIENCE = 3 };
+enum { PATIENCE = 5 };
 
 /* Accelerations that grow so much within a step, and move the scene by more than the accuracy, or
  * by this share of its size where the step is fixed, are the step's, not the motion's. */
@@ -32,15 +34,8 @@ static const double LEAP = 3, FAR = 0.01;
 /* The first step of an accurate motion is this share of the time at most. */
 static const double FIRST_STEP = 1e-3, SMALLEST_STEP = 1e-9;
 
-struct run {
-    struct genalpha g;
-    struct hobe_dynamic options;
-    struct account account;
-    hobe_history *history;
-    double wanted;  /* longest step now, s */
-    double error;   /* of the last step, relative */
-    double started; /* on the clock */
-};
+/* Steps between the marks from which a motion can be taken up. */
+enum { MARKED = 100 };
 
 /* ---- the start ------------------------------------------------------------------------------ */
 
@@ -78,6 +73,13 @@ static enum hobe_status set_velocities(struct genalpha *g, const struct hobe_mot
     return HOBE_OK;
 }
 
+static void set_body(struct genalpha *g, const struct hobe_motion *m, const struct body *body,
+                     const double *q)
+{
+    for (long v = body->first; v < body->first + BODY_VECTORS; v++)
+        move_rigidly(m, v == body->first, q + 3 * v, g->now.v + 3 * v);
+}
+
 static enum hobe_status set_motions(struct genalpha *g, struct hobe_error *err)
 {
     const hobe_model *model = g->s.model;
@@ -88,12 +90,15 @@ static enum hobe_status set_motions(struct genalpha *g, struct hobe_error *err)
         q[i] += g->now.u[i];
     for (size_t i = 0; !status && i < model->motions.count; i++) {
         const struct hobe_motion *m = (const struct hobe_motion *)model->motions.item + i;
-        const struct beam *only = m->beam ? model_find_beam(model, m->beam, m->where, err) : NULL;
-        if (m->beam && !only)
+        struct part only = {NULL, NULL};
+        if (m->beam && model_find_part(model, m->beam, m->where, &only, err))
             return HOBE_UNKNOWN;
         for (size_t b = 0; !status && b < model->beams.count; b++)
-            if (!only || only == model_beam(model, b))
+            if (!m->beam || only.beam == model_beam(model, b))
                 status = set_velocities(g, m, model_beam(model, b), q, err);
+        for (size_t b = 0; b < model->bodies.count; b++)
+            if (!m->beam || only.body == model_body(model, b))
+                set_body(g, m, model_body(model, b), q);
     }
     return status;
 }
@@ -225,6 +230,7 @@ static enum hobe_status choose_step(struct run *run, double target, int kink,
     struct genalpha *g = &run->g;
     const int first = g->now.step == 0, differs = genalpha_choose_step(g, target, run->wanted);
     double changed;
+    run->steady = differs ? 0 : run->steady;
     if (first || !(differs || kink))
         return HOBE_OK;
     const enum hobe_status status = settle(g, &changed, err);
@@ -260,10 +266,10 @@ static enum outcome judge(struct run *run)
     return g->reason ? FAILED : CONVERGED;
 }
 
-/* What the error says of the next step, relative to the last. */
-static double growth(const struct run *run)
+/* What an error says of the next step, relative to the last. */
+static double growth(const struct run *run, double error)
 {
-    return SAFETY * cbrt(run->options.accuracy / fmax(run->error, 1e-300));
+    return SAFETY * cbrt(run->options.accuracy / fmax(error, 1e-300));
 }
 
 /* Tries steps until one is good, and takes it. */
@@ -281,9 +287,9 @@ static enum hobe_status advance(struct run *run, double target, struct hobe_erro
             return HOBE_OK;
         log_step(run, g->reason);
         run->history->info.rejected++;
-        run->wanted =
-            g->now.step *
-            (run->error > run->options.accuracy ? fmin(0.8, fmax(SHRINK, growth(run))) : SHRINK);
+        run->wanted = g->now.step * (run->error > run->options.accuracy
+                                         ? fmin(0.8, fmax(SHRINK, growth(run, run->error)))
+                                         : SHRINK);
         if (!(run->options.accuracy > 0) || run->wanted < run->options.smallest_step)
             return give_up(run, err);
         const enum hobe_status status = choose_step(run, target, 1, err);
@@ -307,65 +313,65 @@ static void take(struct run *run, double target)
     log_step(run, "");
 }
 
-/* Lets the step grow where the error allows it. */
+/* Lets the step grow where the error allows it: at once, or from the next stop on. */
 static enum hobe_status grow(struct run *run, double target, struct hobe_error *err)
 {
     const struct genalpha_state *now = &run->g.now;
     const double longest = run->options.step > 0 ? run->options.step : INFINITY;
-    const double factor = fmin(MOST_GROWTH, growth(run));
-    if (!(run->options.accuracy > 0) || now->taken < PATIENCE || factor < GROW ||
-        now->time >= target || now->step * GROW > fmin(longest, target - now->time))
+    run->largest = run->steady++ ? fmax(run->largest, run->error) : run->error;
+    const double factor = fmin(MOST_GROWTH, growth(run, run->largest));
+    if (!(run->options.accuracy > 0) || run->steady < PATIENCE || factor < GROW ||
+        now->step * GROW > longest)
         return HOBE_OK;
     run->wanted = fmin(longest, now->step * factor);
-    return choose_step(run, target, 0, err);
+    return now->step * GROW > target - now->time ? HOBE_OK : choose_step(run, target, 0, err);
 }
 
-/* Where steps must end. */
-struct stops {
-    double begin; /* of the motion, s */
-    double store; /* the next state to keep; INFINITY where all are */
-    double kink;  /* the next break of a drive or a load */
-};
-
-static void find_stops(const struct run *run, double t, struct stops *stops)
+static void find_stops(struct run *run, double t)
 {
-    const double every = run->options.store;
+    const double every = run->options.store, to = run->options.to, near = TINY * run->wanted;
+    struct stops *stops = &run->stops;
     stops->kink = drive_next(run->g.s.model, t);
     if (every > 0 && !(stops->store > t))
-        stops->store = stops->begin + every * floor((t - stops->begin) / every + 1 + 1e-9);
+        stops->store = stops->begin + every * floor((t - stops->begin) / every + 1 + TINY);
+    stops->target = fmin(to, fmin(stops->store, stops->kink));
+    stops->keep = fmin(to, stops->store) <= stops->target + near;
+    if (stops->kink <= stops->target + near)
+        stops->target = stops->kink;
+    else if (to <= stops->target + near)
+        stops->target = to;
 }
 
-/* Steps up to a time; all states are kept, or that at its end if `last`. */
-static enum hobe_status move_to(struct run *run, double target, int all, int last,
-                                struct hobe_error *err)
+/* Steps up to the next stop. */
+static enum hobe_status move_to_stop(struct run *run, struct hobe_error *err)
 {
+    const double target = run->stops.target;
     enum hobe_status status = HOBE_OK;
     while (!status && run->g.now.time < target) {
         status = advance(run, target, err);
         if (status)
             return status;
         take(run, target);
-        if (all || (last && run->g.now.time == target))
+        if (!(run->options.store > 0) || (run->stops.keep && run->g.now.time == target))
             status = history_keep(run->history, &run->g, &run->account, run->started, err);
         if (!status)
             status = grow(run, target, err);
+        if (!status && run->history->info.steps % MARKED == 0)
+            status = checkpoint_save(run, err);
     }
     return status;
 }
 
 static enum hobe_status move(struct run *run, struct hobe_error *err)
 {
-    const double *t = &run->g.now.time, to = run->options.to;
-    const int all = !(run->options.store > 0);
-    struct stops stops = {*t, all ? INFINITY : *t, *t};
-    enum hobe_status status = HOBE_OK;
-    while (!status && *t < to) {
-        const int kink = *t == stops.kink;
-        find_stops(run, *t, &stops);
-        const double target = fmin(to, fmin(stops.store, stops.kink));
-        status = choose_step(run, target, kink, err);
+    const double *t = &run->g.now.time;
+    enum hobe_status status = move_to_stop(run, err); /* what a motion taken up had in mind */
+    while (!status && *t < run->options.to) {
+        const int kink = *t == run->stops.kink;
+        find_stops(run, *t);
+        status = choose_step(run, run->stops.target, kink, err);
         if (!status)
-            status = move_to(run, target, all, target == to || target == stops.store, err);
+            status = move_to_stop(run, err);
     }
     return status;
 }
@@ -389,9 +395,10 @@ static void set_defaults(struct run *run)
 {
     struct hobe_dynamic *o = &run->options;
     const struct genalpha *g = &run->g;
-    const double time = o->to - g->now.time, w = genalpha_norm(g, g->now.w);
+    const double t = g->now.time, time = o->to - t, w = genalpha_norm(g, g->now.w);
     if (!(o->smallest_step > 0))
         o->smallest_step = SMALLEST_STEP * time;
+    run->stops = (struct stops){t, o->store > 0 ? t : INFINITY, t, t, 0};
     run->wanted = o->step > 0 ? o->step : FIRST_STEP * time;
     if (o->accuracy > 0 && w > 0)
         run->wanted = fmin(run->wanted, sqrt(o->accuracy * g->size / w));
@@ -399,6 +406,7 @@ static void set_defaults(struct run *run)
 
 static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_error *err)
 {
+    int resumed;
     enum hobe_status status = genalpha_open(&run->g, model, &run->options, err);
     if (!status)
         status = account_open(&run->account, model, err);
@@ -407,11 +415,13 @@ static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_
     run->history = hobe_alloc(1, sizeof *run->history, err);
     if (!run->history)
         return HOBE_NO_MEMORY;
-    status = begin(run, err);
-    if (status)
-        return status;
-    set_defaults(run);
-    status = move(run, err);
+    status = checkpoint_load(run, &resumed, err);
+    if (!status && !resumed)
+        status = begin(run, err);
+    if (!status && !resumed)
+        set_defaults(run);
+    if (!status)
+        status = move(run, err);
     run->history->info.time = run->g.now.time;
     run->history->info.iterations = run->g.s.info.iterations;
     run->history->info.factorisations = run->g.s.info.factorisations;

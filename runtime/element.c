@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Where shape or section vary along an element its energy is no polynomial of xi, and takes
@@ -425,17 +426,36 @@ int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry)
 {
     return kernel->tensor && symmetry & HOBE_SYMMETRIC_X &&
            (double)kernel->tensor_cost[symmetry].flops_tangent <
-                                 TENSOR_SPEED *
-                                     (double)kernel->section_cost[symmetry].flops_tangent;
+               TENSOR_SPEED * (double)kernel->section_cost[symmetry].flops_tangent;
 }
 
-/* A straight and prismatic element is given its tensor where that is the cheaper way. */
+/* Whether to take the tensor where it can be taken: where it pays, unless HOBE_PLAN in the
+ * environment names a plan. */
+static enum hobe_status take_tensor(const struct hobe_element *element, int *take,
+                                    struct hobe_error *err)
+{
+    const char *plan = getenv("HOBE_PLAN");
+    *take = hobe_tensor_pays(element->kernel, element->invariants.symmetry);
+    if (!plan || !*plan)
+        return HOBE_OK;
+    *take = !strcmp(plan, "tensor");
+    if (*take || !strcmp(plan, "section"))
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "HOBE_PLAN in the environment is \"%s\"; it must be \"section\" or "
+                     "\"tensor\", or unset for what is cheaper",
+                     plan);
+}
+
+/* A straight and prismatic element is given its tensor where that is the way to take. */
 static enum hobe_status choose_plan(hobe_element *element, struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
     struct hobe_invariants *inv = &element->invariants;
-    if (element->q0 || !hobe_tensor_pays(k, inv->symmetry))
-        return HOBE_OK;
+    int tensor;
+    const enum hobe_status status = take_tensor(element, &tensor, err);
+    if (status || !tensor || !k->tensor || !(inv->symmetry & HOBE_SYMMETRIC_X) || element->q0)
+        return status;
     inv->tensor = hobe_alloc(k->tensor_cost[inv->symmetry].numbers, sizeof *inv->tensor, err);
     if (!inv->tensor)
         return HOBE_NO_MEMORY;

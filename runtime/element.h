@@ -18,7 +18,7 @@ void hobe_kernel_reference(const struct hobe_kernel *kernel, double length,
 int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int slope);
 
 /* Whether force and tangent of a straight and prismatic element are cheaper as products with its
- * tensor than from station to station, on a section with that symmetry (HOBE_SYMMETRIC_Y, _Z). */
+ * tensor than from station to station, with that symmetry (HOBE_SYMMETRIC_*). */
 int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry);
 
 /* The elastic law per length that the element was made with, owned by it. */

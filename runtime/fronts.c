@@ -382,6 +382,10 @@ void fronts_scale(const hobe_fronts *f, const double *value, double *scale)
                 diagonal > 0 ? 1 / sqrt(diagonal) : 1;
         }
     }
+}
+
+void fronts_scale_border(const hobe_fronts *f, const double *value, double *scale)
+{
     border_scale(&f->border, value, scale);
 }
 

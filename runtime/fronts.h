@@ -32,9 +32,12 @@ size_t fronts_size(const hobe_fronts *f);
 long fronts_place(const hobe_fronts *f, long i, long j);
 int fronts_stride(const hobe_fronts *f, long j);
 
-/* scale[3 * blocks] = diag(K)^(-1/2) of the values in the panels.  A multiplier has no diagonal:
- * its row is scaled to entries of order one; an empty row by 1. */
+/* scale[3 * blocks] = diag(K)^(-1/2) of the values in the panels, 1 where there is none. */
 void fronts_scale(const hobe_fronts *f, const double *value, double *scale);
+
+/* Those of multipliers, which have no diagonal, by the others: their rows get entries of order one.
+ */
+void fronts_scale_border(const hobe_fronts *f, const double *value, double *scale);
 
 /* Overwrites the values by the factors, which fronts_solve needs.  HOBE_SINGULAR, without a
  * sentence, where a pivot is too small beside its scale^-2, or entries grow too much: then the

@@ -95,7 +95,7 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
     }
     measure(g);
     set_weights(g);
-    return HOBE_OK;
+    return solver_keep_mass(&g->s, err);
 }
 
 void genalpha_close(struct genalpha *g)
@@ -154,16 +154,17 @@ void genalpha_forget(struct genalpha *g)
     g->factored = 0;
 }
 
-/* Constant accelerations and multipliers. */
+/* Constant accelerations and multipliers; or, where they are inert, displacements h v, which the
+ * accelerations do not enter: those of a load that comes at once move a node far by themselves. */
 static void predict(struct genalpha *g)
 {
     const struct genalpha_state *now = &g->now;
     const double h = now->step, beta = g->beta, gamma = g->gamma;
     memcpy(g->s.u, now->u, (size_t)(3 * g->s.model->vectors) * sizeof *g->s.u);
     for (long i = 0; i < 3 * g->s.model->moving; i++) {
-        const double a = now->a[i];
-        g->w[i] = now->w[i];
-        g->a[i] = (now->w[i] - g->am * a) / (1 - g->am);
+        const double a = now->a[i], w = now->w[i];
+        g->a[i] = g->inert ? a - a / (2 * beta) : (w - g->am * a) / (1 - g->am);
+        g->w[i] = ((1 - g->am) * g->a[i] + g->am * a - g->af * w) / (1 - g->af);
         g->v[i] = now->v[i] + h * ((1 - gamma) * a + gamma * g->a[i]);
         g->s.u[i] += h * now->v[i] + h * h * ((0.5 - beta) * a + beta * g->a[i]);
     }
@@ -302,8 +303,12 @@ enum outcome genalpha_step(struct genalpha *g, struct hobe_error *err)
                                               g->gamma / (h * g->beta), 0},
                                   .force = g->force,
                                   .inertia = (1 - g->am) / ((1 - g->af) * h * h * g->beta)};
-    predict(g);
-    return iterate(g, err);
+    enum outcome outcome = FAILED;
+    for (g->inert = 0; outcome == FAILED && g->inert < 2; g->inert++) {
+        predict(g);
+        outcome = iterate(g, err);
+    }
+    return outcome;
 }
 
 static void swap(double **a, double **b)

@@ -36,6 +36,7 @@ struct genalpha {
     double *force;      /* [vectors][3] M w there, N */
     double *weight;     /* [vectors][3] of Phi on the multipliers: 1/size of lengths, 1 of angles */
     double mass, size;  /* kg; the scene's extent in the mass norm, m */
+    int inert;          /* how the step is predicted */
     int factored;       /* factors of some Newton matrix of this h are at hand */
     int iterations;     /* of the last step */
     const char *reason; /* why it failed */

@@ -285,13 +285,14 @@ static void append(struct gyroscopic *g, const double *e)
     const long n = g->s->n;
     double *to = g->V + g->count * n;
     memcpy(to, e, (size_t)n * sizeof *e);
-    for (int pass = 0; pass < 2; pass++)
+    for (int pass = 0; pass < 2; pass++) {
+        mass_norm2(g, to); /* M to */
         for (long k = 0; k < g->count; k++) {
-            mass_norm2(g, to);
             const double along = dot(n, g->s->product, g->V + k * n);
             for (long i = 0; i < n; i++)
                 to[i] -= along * g->V[k * n + i];
         }
+    }
     const double length = sqrt(mass_norm2(g, to));
     if (!(length > RESIDUAL / 2))
         return;

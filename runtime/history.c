@@ -42,8 +42,7 @@ static void sum_loads(const hobe_model *model, const double *u, const struct ins
 static struct power find_power(const hobe_model *model, const double *u,
                                const struct instant *instant, double *rate)
 {
-    struct power power = {.damped = damping_power(model, u, instant->v) +
-                                    spring_power(model, u, instant->v)};
+    struct power power = {.damped = damping_power(model, u, instant->v)};
     memset(rate, 0, (size_t)(3 * model->vectors) * sizeof *rate);
     constraint_rate(model, u, instant, rate);
     for (long i = 3 * model->moving; i < 3 * model->vectors; i++)
@@ -106,8 +105,8 @@ static struct hobe_energies measure(struct genalpha *g, const struct account *ac
     const hobe_model *model = g->s.model;
     struct hobe_energies e = {.time = g->now.time,
                               .kinetic = mass_product(model, g->now.v, g->now.v) / 2,
-                              .strain = assemble_energy(model, g->now.u) +
-                                        spring_energy(model, g->now.u),
+                              .strain =
+                                  assemble_energy(model, g->now.u) + spring_energy(model, g->now.u),
                               .loads = account->loads,
                               .drives = account->drives,
                               .damped = account->damped};
@@ -123,30 +122,39 @@ static struct hobe_energies measure(struct genalpha *g, const struct account *ac
 
 /* ---- states --------------------------------------------------------------------------------- */
 
-static enum hobe_status keep_state(hobe_history *history, struct genalpha *g, double started,
-                                   struct hobe_error *err)
+enum hobe_status history_append(hobe_history *history, hobe_solution *state,
+                                const struct hobe_energies *energies, struct hobe_error *err)
+{
+    hobe_solution **to = list_append(&history->states, sizeof *to, err);
+    struct hobe_energies *of = to ? list_append(&history->energies, sizeof *of, err) : NULL;
+    if (to)
+        *to = state;
+    else
+        hobe_solution_free(state);
+    if (!of)
+        return HOBE_NO_MEMORY;
+    *of = *energies;
+    history->info.states = (int)history->states.count;
+    return HOBE_OK;
+}
+
+/* The state now with what a result knows of it; NULL with err set. */
+static hobe_solution *new_state(struct genalpha *g, double started, struct hobe_error *err)
 {
     struct hobe_solution_info info = g->s.info;
     info.load = 1;
     info.negative = -1;
     info.time = g->now.time;
     info.seconds = hobe_seconds() - started;
-    enum hobe_status status =
-        solution_smallest_volume(g->s.model, g->now.u, &info.smallest_volume, err);
-    if (!status && !(info.smallest_volume > 0))
-        status = hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
-                           "a beam is turned inside out at t = %g s (det F = %g); take smaller "
-                           "steps, more elements, or smaller loads",
-                           info.time, info.smallest_volume);
-    if (status)
-        return status;
-    hobe_solution **to = list_append(&history->states, sizeof *to, err);
-    if (!to)
-        return HOBE_NO_MEMORY;
-    *to = solution_new(g->s.model, g->now.u, g->now.v, g->now.w, &info, err);
-    if (!*to)
-        history->states.count--;
-    return *to ? HOBE_OK : HOBE_NO_MEMORY;
+    if (solution_smallest_volume(g->s.model, g->now.u, &info.smallest_volume, err))
+        return NULL;
+    if (info.smallest_volume > 0)
+        return solution_new(g->s.model, g->now.u, g->now.v, g->now.w, &info, err);
+    hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
+              "a beam is turned inside out at t = %g s (det F = %g); take smaller steps, more "
+              "elements, or smaller loads",
+              info.time, info.smallest_volume);
+    return NULL;
 }
 
 enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct account *account,
@@ -160,15 +168,10 @@ enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct 
         account->start = e.kinetic + e.strain;
     e.balance = e.kinetic + e.strain - account->start - e.loads - e.drives + e.damped;
     g->s.info.energy = e.strain;
-    const enum hobe_status status = keep_state(history, g, started, err);
-    if (status)
-        return status;
-    struct hobe_energies *to = list_append(&history->energies, sizeof e, err);
-    if (!to)
-        return HOBE_NO_MEMORY;
-    *to = e;
-    history->info.states = (int)history->states.count;
-    return HOBE_OK;
+    hobe_solution *state = new_state(g, started, err);
+    if (!state)
+        return err ? err->status : HOBE_NO_MEMORY;
+    return history_append(history, state, &e, err);
 }
 
 /* ---- what is given -------------------------------------------------------------------------- */

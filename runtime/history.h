@@ -32,6 +32,10 @@ void account_begin(struct account *account, const struct genalpha *g);
 /* The work of the step that has just been found, before it is accepted. */
 void account_step(struct account *account, const struct genalpha *g);
 
+/* Appends a state, which is the history's from then on, or freed after a failure. */
+enum hobe_status history_append(hobe_history *history, hobe_solution *state,
+                                const struct hobe_energies *energies, struct hobe_error *err);
+
 /* Keeps the state now.  HOBE_NOT_CONVERGED where it is turned inside out. */
 enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct account *account,
                               double started, struct hobe_error *err);

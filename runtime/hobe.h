@@ -405,7 +405,38 @@ struct hobe_beam {
     enum hobe_integration integration;
 };
 
-/* Supports and loads name a beam and a place `at` in [0,1] along its axis. */
+/* A rigid body: its inertia is that of a shape, or given.  It lies on its axes: the first along
+ * `axis` ({0,0,0}: global X), the second along `second`, the third at a right angle to both. */
+enum hobe_shape {
+    HOBE_SHAPE_NONE,     /* mass and inertia are given */
+    HOBE_SHAPE_CYLINDER, /* size: radius and length along the first axis */
+    HOBE_SHAPE_BOX,      /* size: edges along the axes */
+    HOBE_SHAPE_SPHERE    /* size: radius */
+};
+struct hobe_body {
+    const char *where;
+    const char *name; /* unique among beams and bodies */
+    double mass;      /* kg, or 0 where a shape has a density, kg/m^3 */
+    double density;
+    double centre[3]; /* of mass, m, global axes in the reference */
+    enum hobe_shape shape;
+    double size[3];            /* m */
+    double inertia[3][3];      /* without a shape: about the centre, on its axes, kg m^2; 0 < I_1,
+                                  and each principal moment at most the sum of the others */
+    double axis[3], second[3]; /* {0,0,0} for second: global Y where axis is left out, too, or any
+                                  direction where the body is round about its first axis */
+};
+
+/* A mass at a point of a beam: of the section at `at` the material point (y, z), moved by every
+ * mode of the section; it has no inertia about that point (a body has). */
+struct hobe_mass {
+    const char *where, *beam;
+    double at, y, z; /* y, z in m from the centroid */
+    double mass;     /* kg, >= 0 */
+};
+
+/* Supports and loads name a beam and a place `at` in [0,1] along its axis; or a body and a `point`
+ * of it where `at_point` is 1, m, global axes in the reference; `at` then says nothing. */
 struct hobe_clamp {
     const char *where, *beam;
     const char *name; /* by which hobe_solution_reaction knows it, or NULL */
@@ -432,20 +463,24 @@ struct hobe_force {
     const char *where, *beam;
     double at;
     double value[3];     /* N, global axes */
-    int follower;        /* 1: the force turns with the section from that initial direction */
+    int follower;        /* 1: the force turns with the section or body from that direction */
     hobe_drive *history; /* factor of time; NULL: 1.  It outlives the model, as all drives do */
     hobe_force_function *function;     /* in place of value, which is {0,0,0}, and not follower */
     hobe_force_derivative *derivative; /* of it; NULL: by differences */
     void *context;                     /* of both */
+    int at_point;
+    double point[3]; /* of a body; its centre where at_point is 0 */
 };
 /* Conservative: with M = m_x e_x + m_y e_y + m_z e_z on the beam's reference axes, its potential is
  * -m_x (phi_x(r_y) + phi_x(r_z))/2 - m_y phi_y(r_z) - m_z phi_z(r_y), phi_a(s) the angle of the
- * section's slope s about e_a. */
+ * section's slope s about e_a.  Of a body the axes are the global ones, and the slopes its
+ * directions that are global Y and Z in the reference. */
 struct hobe_moment {
-    const char *where, *beam;
-    double at;
-    double value[3];     /* N m about the global axes */
-    hobe_drive *history; /* as of forces */
+    const char *where, *beam; /* a beam or a body */
+    double at;                /* of a beam */
+    int at_point;             /* 1: it acts on a body, wherever */
+    double value[3];          /* N m about the global axes */
+    hobe_drive *history;      /* as of forces */
 };
 struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle */
     const char *where, *beam[2];
@@ -467,10 +502,14 @@ struct hobe_join { /* ends of two beams that share a node, rigidly, at any angle
  *     inline        across         none
  *     inplane       along          none
  *     distance      along the line between the places, which are apart; none
+ *     rigid         all            all, and those of the slopes y, z against each other: the mean
+ *                                  plane of a beam's section is the body's, or the ground's, and
+ *                                  neither shears nor strains there; the axis stretches freely
  *
  * Directions that belong to a beam are carried by the section's slopes y, z and by its normal
  * n = y x z with the components they have in the reference: d_x n + d_y y + d_z z.  Warping and
- * every other mode of the section stay free.
+ * every other mode of the section stay free.  A body carries its directions that are global axes in
+ * the reference.
  *
  * A drive moves the second part: `angle`, rad, turns it about the axis, `position`, m, shifts it
  * along the axis, d . axis = position, or lengthens a distance.  What the kind leaves free of the
@@ -487,29 +526,34 @@ enum hobe_joint_kind {
     HOBE_JOINT_PLANAR,
     HOBE_JOINT_INLINE,
     HOBE_JOINT_INPLANE,
-    HOBE_JOINT_DISTANCE
+    HOBE_JOINT_DISTANCE,
+    HOBE_JOINT_RIGID
 };
 
-/* A joint between places anywhere on two beams, which must coincide but for a distance; or between
- * the ground, its first part, and a place of one beam: a support. */
+/* A joint between places anywhere on two beams or bodies, which must coincide but for a distance;
+ * or between the ground, its first part, and a place of one: a support.  The place of a body is
+ * `point` where at_point is 1, or that of the beam it is joined to. */
 struct hobe_joint {
     const char *where;
     const char *beam[2]; /* the first and the second part; beam[1] NULL: a support of beam[0] */
     const char *name;    /* by which hobe_solution_reaction knows it, or NULL */
-    double at[2];
+    double at[2];        /* of beams */
     enum hobe_joint_kind kind;
-    double axis[3];   /* global, in the reference; {0,0,0} for distance, and for fixed and spherical
-                         that are not driven */
+    double axis[3];   /* global, in the reference; {0,0,0} for distance, and for fixed, rigid and
+                         spherical that are not driven */
     double second[3]; /* of universal joints, at a right angle to the axis; else {0,0,0} */
-    double to[3];     /* of a support that keeps a distance: the point of the ground, m */
+    double to[3];     /* of a support that keeps a distance: the point of the ground, m; of two
+                         bodies, where at_point is 2: the point of the second */
+    int at_point;     /* 1: `point` is given; 2: `to` of two bodies, too */
+    double point[3];  /* of bodies, m, global axes in the reference */
     hobe_drive *angle, *position; /* NULL, or how the joint is driven; they outlive the model */
 };
 
 /* Velocities with which hobe_dynamic starts: a rigid motion of what is as the start has it.  Of
- * several that speak of a beam the last counts. */
+ * several that speak of a beam or body the last counts. */
 struct hobe_motion {
     const char *where;
-    const char *beam;           /* NULL: everything */
+    const char *beam;           /* or a body; NULL: everything */
     double velocity[3];         /* m/s, of the point `about` */
     double angular_velocity[3]; /* rad/s */
     double about[3];            /* m */
@@ -524,12 +568,12 @@ const char *hobe_joint_name(enum hobe_joint_kind kind);
  * first part: an elastic support, or a joint that gives. */
 enum hobe_spring_kind { HOBE_SPRING_LENGTH, HOBE_SPRING_TORSION, HOBE_SPRING_BUSHING };
 
-/* A spring and damper without mass between places anywhere on two beams, or between the ground and
- * one: the force k (l - l0) + c dl/dt along the line of its places, the moment k (a - a0) + c da/dt
- * about its axis, or three forces, on both places in opposite directions.  A spring of kind length
- * has no direction where its places coincide, nor a bushing between two beams where they do not.
- * Directions belong to a beam as those of joints do (above).  Springs hold a scene as supports do,
- * along their extensions; statics do not scale them by the load factor.  */
+/* A spring and damper without mass between places anywhere on two beams or bodies, or between the
+ * ground and one: the force k (l - l0) + c dl/dt along the line of its places, the moment k (a -
+ * a0) + c da/dt about its axis, or three forces, on both places in opposite directions.  A spring
+ * of kind length has no direction where its places coincide, nor a bushing between two beams where
+ * they do not. Directions belong to a beam as those of joints do (above).  Springs hold a scene as
+ * supports do, along their extensions; statics do not scale them by the load factor.  */
 struct hobe_spring {
     const char *where;
     const char *beam[2]; /* beam[1] NULL: between the ground and beam[0] */
@@ -542,7 +586,10 @@ struct hobe_spring {
     double length;     /* l0 > 0 of a length, m; 0: the distance in the reference */
     double angle;      /* a0 of torsion, rad, from the reference */
     double axis[3];    /* of torsion: global, in the reference; it moves with the first part */
-    double to[3];      /* of a length to the ground: its place there, m */
+    double to[3];      /* of a length to the ground: its place there, m; of two bodies, where
+                          at_point is 2: the place on the second */
+    int at_point;      /* as of a joint */
+    double point[3];   /* of bodies, m */
 };
 
 hobe_model *hobe_model_new(struct hobe_error *err);
@@ -551,6 +598,8 @@ void hobe_model_free(hobe_model *model);
 /* Each adds a copy of one item; names are resolved by hobe_model_build, after which HOBE_BAD_INPUT
  * refuses more. */
 enum hobe_status hobe_model_beam(hobe_model *, const struct hobe_beam *, struct hobe_error *);
+enum hobe_status hobe_model_body(hobe_model *, const struct hobe_body *, struct hobe_error *);
+enum hobe_status hobe_model_mass(hobe_model *, const struct hobe_mass *, struct hobe_error *);
 enum hobe_status hobe_model_clamp(hobe_model *, const struct hobe_clamp *, struct hobe_error *);
 enum hobe_status hobe_model_force(hobe_model *, const struct hobe_force *, struct hobe_error *);
 enum hobe_status hobe_model_moment(hobe_model *, const struct hobe_moment *, struct hobe_error *);
@@ -558,7 +607,7 @@ enum hobe_status hobe_model_join(hobe_model *, const struct hobe_join *, struct 
 enum hobe_status hobe_model_motion(hobe_model *, const struct hobe_motion *, struct hobe_error *);
 enum hobe_status hobe_model_joint(hobe_model *, const struct hobe_joint *, struct hobe_error *);
 enum hobe_status hobe_model_spring(hobe_model *, const struct hobe_spring *, struct hobe_error *);
-/* Gravity, m/s^2 in global axes, on every beam; repeated calls add up. */
+/* Gravity, m/s^2 in global axes, on every beam, body and mass; repeated calls add up. */
 enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const double g[3],
                                     struct hobe_error *);
 /* The same times a factor of time; NULL: 1. */
@@ -585,7 +634,7 @@ enum hobe_status hobe_model_spin(hobe_model *, const struct hobe_spin *, struct 
 enum hobe_status hobe_model_build(hobe_model *model, struct hobe_error *err);
 
 struct hobe_model_info {
-    int beams, elements;
+    int beams, elements, bodies;
     long vectors;  /* nodal vectors, held ones included */
     long unknowns; /* scalar unknowns solved for */
     long nonzeros; /* of the tangent stiffness */
@@ -608,11 +657,25 @@ struct hobe_iteration { /* what a log line shows */
     const char *note; /* "" or what happened: "converged", "cut back", ... */
 };
 
+enum hobe_method {
+    HOBE_METHOD_AUTO,   /* newton */
+    HOBE_METHOD_NEWTON, /* steps begin at the last state, or along the path's tangent there */
+    HOBE_METHOD_SERIES  /* they go along a power series of the path, as far as that is good: fewer
+                           factorisations where many steps are needed (asymptotic numerical method,
+                           Cochelin 1994); only of elements whose energy is a polynomial */
+};
+
+typedef struct hobe_solution hobe_solution;
+
 struct hobe_newton {
-    int steps;            /* load steps to begin with; 0: 1 */
-    int max_iterations;   /* in a step; 0: 30 */
-    double tolerance;     /* on `residual`; 0: 1e-9 */
-    double smallest_step; /* of the load factor, below which the solve is given up; 0: 1e-4 */
+    enum hobe_method method;
+    const hobe_solution *start; /* where hobe_static begins, at the full load: an equilibrium of the
+                                   model or of one of the same shape, under other loads or of other
+                                   size; NULL, or if there is nothing near: the reference */
+    int steps;                  /* load steps to begin with; 0: 1; not by series */
+    int max_iterations;         /* in a step; 0: 30 */
+    double tolerance;           /* on `residual`; 0: 1e-9 */
+    double smallest_step;       /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
     double time; /* s, at which drives and histories are taken, >= 0; the motion of drives is scaled
                     by the load factor, too */
@@ -620,15 +683,13 @@ struct hobe_newton {
     void *context;
 };
 
-typedef struct hobe_solution hobe_solution;
-
 struct hobe_solution_info {
     int steps, iterations, cutbacks, factorisations;
     double load;     /* load factor reached: 1 of hobe_static */
     double time;     /* s, of drives, histories and hobe_dynamic */
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                         stable, as it may be with some where the scene spins (hobe_modal tells);
-                        -1: not counted, as by hobe_static */
+                        -1: not counted, as by hobe_static but by series */
     double residual; /* of the last iteration */
     double change;   /* of the displacements by a last correction, beyond what tolerance asked for,
                         relative to their size, in the norm sum u^2 K_0 over the diagonal of the
@@ -640,9 +701,10 @@ struct hobe_solution_info {
     double seconds;      /* in the verb so far, without set-up */
 };
 
-/* Static equilibrium under all loads of the model from its reference.  On success *solution is
- * owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says how
- * far the load got and what to try.  Large models are summed by several threads, as many as
+/* Static equilibrium under all loads of the model from its reference or options.start; by series
+ * the path to it is followed (hobe_path_follow), through limit points, too.  On success *solution
+ * is owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says
+ * how far the load got and what to try.  Large models are summed by several threads, as many as
  * OMP_NUM_THREADS allows; results do not depend on their number. */
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err);
@@ -663,7 +725,7 @@ struct hobe_path_options {
     struct hobe_newton newton; /* of which steps, smallest_step and no_line_search do not count */
     int steps;                 /* at most; 0: 200 */
     double arc; /* longest step, in units of the arc that the linear response to all loads takes
-                   from the reference; 0: 0.05 */
+                   from the reference; 0: 0.05, by series no limit but how far these are good */
     double smallest_arc; /* below which the path is given up, as a share of arc; 0: 1e-4 */
     double to; /* load factor that ends the path, and the direction in which it starts; 0: 1 */
     struct hobe_reach reach;
@@ -676,7 +738,7 @@ enum hobe_path_end { HOBE_PATH_LOAD, HOBE_PATH_DISPLACEMENT, HOBE_PATH_STEPS };
 
 struct hobe_path_info {
     int points, events;
-    int iterations, cutbacks;
+    int iterations, cutbacks, factorisations;
     enum hobe_path_end end; /* what ended the path: options.to, options.reach, or options.steps */
     double seconds;         /* in hobe_path_follow without set-up */
 };
@@ -745,6 +807,9 @@ struct hobe_dynamic {
                                    of an earlier motion, at its time with its velocities */
     void (*log)(void *context, const struct hobe_time_step *step); /* may be NULL */
     void *context;
+    struct hobe_journal *journal; /* to go on from, and to keep what is needed for that, every 100
+                                     steps (journal.h); NULL: none.  Motions with and without are
+                                     the same to the last bit */
 };
 
 typedef struct hobe_history hobe_history;
@@ -815,6 +880,17 @@ struct hobe_point {
 enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *beam, double at,
                                      double y, double z, struct hobe_point *point,
                                      struct hobe_error *err);
+
+/* Where a point of a body is, `point` in the reference, m, global axes; NULL: its centre. */
+struct hobe_body_point {
+    double r[3], r0[3], u[3];            /* as in hobe_point */
+    double rotation[3];                  /* rotation vector of the body, rad, global axes */
+    double velocity[3], acceleration[3]; /* m/s, m/s^2; 0 of equilibria */
+    double angular_velocity[3];          /* rad/s, global axes */
+};
+enum hobe_status hobe_solution_body(const hobe_solution *solution, const char *body,
+                                    const double point[3], struct hobe_body_point *is,
+                                    struct hobe_error *err);
 
 /* *twist: that of hobe_point with its whole turns, rad.  They are counted along the beam from its
  * first clamp, or from its begin where it has none, at which the twist is between -pi and pi; anew
@@ -906,9 +982,9 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
                                        enum hobe_warning *warning, char *text, size_t size,
                                        struct hobe_error *err);
 
-/* What a clamp or support does to its beam, and a joint to its second beam, global axes: the force
- * and its moment about the place where it sits.  Of a clamp the forces on all vectors of its node,
- * with those on the slope x and on section modes in the moment; clamps that hold one node of
+/* What a clamp or support does to its beam or body, and a joint to its second, global axes: the
+ * force and its moment about the place where it sits.  Of a clamp the forces on all vectors of its
+ * node, with those on the slope x and on section modes in the moment; clamps that hold one node of
  * several beams each give the whole. */
 struct hobe_reaction {
     double force[3], moment[3]; /* N, N m */
@@ -931,6 +1007,9 @@ enum hobe_status hobe_solution_spring(const hobe_solution *solution, const char 
 
 /* The i-th beam's name in the order added, or NULL past the last. */
 const char *hobe_model_beam_name(const hobe_model *model, int i);
+
+/* Whether the model has a body of that name. */
+int hobe_model_has_body(const hobe_model *model, const char *name);
 
 /* ---- vibration (modal.c) -------------------------------------------------------------------- */
 
@@ -960,7 +1039,7 @@ struct hobe_modes_info {
     int buckling;    /* they are of hobe_buckling */
     int unstable;    /* modes of the scene that grow, wanted or not; -1: not known */
     long unknowns;   /* scalar unknowns, multipliers included */
-    double mass;     /* of all beams, kg */
+    double mass;     /* of all beams, bodies and masses, kg */
     double residual; /* of a turning frame: how much a step of inverse iteration would change the
                         worst of the shapes, relative, whose square is the error of a frequency */
     double seconds;  /* in hobe_modal without set-up */
@@ -1009,6 +1088,11 @@ enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *be
  * displaced by u cos(omega t) - quadrature sin(omega t). */
 enum hobe_status hobe_modes_quadrature(const hobe_modes *modes, int i, const char *beam, double at,
                                        double y, double z, double u[3], struct hobe_error *err);
+
+/* Both of a body's point as in hobe_solution_body. */
+enum hobe_status hobe_modes_body(const hobe_modes *modes, int i, const char *body,
+                                 const double point[3], double u[3], double quadrature[3],
+                                 struct hobe_error *err);
 
 /* phi_i'M phi_j, summed over the elements: the modal mass, 1, where i = j, and 0 elsewhere, but for
  * rounding and turning frames, whose modes are not orthogonal; the real part, phi_i^H M phi_j.  NaN

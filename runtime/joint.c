@@ -3,6 +3,7 @@
  * hold it, and whether any is one too many. */
 #include "joint.h"
 
+#include "body.h"
 #include "drive.h"
 #include "rank.h"
 #include "spring.h"
@@ -13,9 +14,9 @@
 #include <string.h>
 
 /* Which relative motions a joint stops, by its axis; of rotations CROSSED leaves two axes at a
- * right angle: that of the first part and the second one, of the second part; of translations APART
- * leaves those that keep the distance. */
-enum stopped { NONE, ALL, APART, ACROSS, ALONG, CROSSED };
+ * right angle: that of the first part and the second one, of the second part; STIFF stops strains
+ * of the slopes, too; of translations APART leaves those that keep the distance. */
+enum stopped { NONE, ALL, STIFF, APART, ACROSS, ALONG, CROSSED };
 
 enum { MOTIONS = 80 }; /* characters that name six motions */
 
@@ -33,6 +34,7 @@ static const struct kind {
     [HOBE_JOINT_INLINE] = {"inline", ACROSS, NONE},
     [HOBE_JOINT_INPLANE] = {"inplane", ALONG, NONE},
     [HOBE_JOINT_DISTANCE] = {"distance", APART, NONE},
+    [HOBE_JOINT_RIGID] = {"rigid", ALL, STIFF},
 };
 
 /* Joined places must coincide to this fraction of the beams' length. */
@@ -44,21 +46,6 @@ const char *hobe_joint_name(enum hobe_joint_kind kind)
 }
 
 /* ---- what is asked for ----------------------------------------------------------------------- */
-
-void joint_triad(const double axis[3], double t[3][3])
-{
-    const double length = length3(axis);
-    int least = 0;
-    for (int a = 0; a < 3; a++) {
-        t[0][a] = axis[a] / length;
-        least = fabs(axis[a]) < fabs(axis[least]) ? a : least;
-    }
-    cross3(t[0], (const double[3]){least == 0, least == 1, least == 2}, t[1]);
-    const double across = length3(t[1]);
-    for (int a = 0; a < 3; a++)
-        t[1][a] /= across;
-    cross3(t[0], t[1], t[2]);
-}
 
 static enum hobe_status check_axes(const struct hobe_joint *joint, struct hobe_error *err)
 {
@@ -142,6 +129,8 @@ static void stop_turning(struct tie *tie, enum stopped turn, const double t[3][3
 {
     if (turn == ALL || tie->angle)
         tie_turning(tie);
+    if (turn == STIFF)
+        tie_slopes(tie);
     for (int i = 1; turn == ACROSS && !tie->angle && i < 3; i++)
         keep_normal(tie, t[i], t[0]);
     if (turn == CROSSED)
@@ -179,27 +168,63 @@ static void stop_shifting(struct tie *tie, enum stopped shift, const double t[3]
     }
 }
 
-enum hobe_status joint_places(const hobe_model *model, const char *const name[2],
-                              const double at[2], const double to[3], const char *where,
+/* Finds a place on a body: the point that is given, or where the other part is. */
+static enum hobe_status find_on_body(const struct hobe_joint *joint, int i,
+                                     const struct part part[2], struct tied side[2],
+                                     struct hobe_error *err)
+{
+    static const int yz[2] = {1, 2};
+    const double *point = i == 1 && joint->at_point == 2 ? joint->to : joint->point;
+    if (!joint->at_point && !part[1 - i].beam)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "the place on body \"%s\" is missing: point, {x, y, z} in the reference",
+                         part[i].body->spec.name);
+    if (!joint->at_point)
+        point = side[1 - i].position;
+    tied_on_body(part[i].body, point, yz, side + i);
+    return HOBE_OK;
+}
+
+/* Finds both parts, the ground without any. */
+static enum hobe_status find_parts(const hobe_model *model, const struct hobe_joint *joint,
+                                   struct part part[2], struct hobe_error *err)
+{
+    const int parts = joint->beam[1] ? 2 : 1;
+    part[0] = (struct part){NULL, NULL};
+    for (int i = 0; i < parts; i++)
+        if (model_find_part(model, joint->beam[i], joint->where, part + 2 - parts + i, err))
+            return HOBE_UNKNOWN;
+    if (part[0].body && part[0].body == part[1].body)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "body \"%s\" cannot be joined to itself", part[0].body->spec.name);
+    if (joint->at_point && !part[0].body && !part[1].body)
+        return model_refuse_point(joint->beam[0], joint->where, err);
+    return HOBE_OK;
+}
+
+enum hobe_status joint_places(const hobe_model *model, const struct hobe_joint *joint,
                               struct tied side[2], double gap[3], int *apart,
                               struct hobe_error *err)
 {
+    const int ground = !joint->beam[1];
+    struct part part[2];
     double length = 0;
+    enum hobe_status status = find_parts(model, joint, part, err);
     side[0] = (struct tied){.frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     memcpy(side[0].D0, side[0].frame, sizeof side[0].frame);
-    memcpy(side[0].position, to, sizeof side[0].position);
-    const int beams = name[1] ? 2 : 1;
-    for (int i = 0; i < beams; i++) {
-        const struct beam *beam = model_find_beam(model, name[i], where, err);
-        if (!beam)
-            return HOBE_UNKNOWN;
-        tied_at(model_place(beam, at[i]), side + 2 - beams + i);
-        length = fmax(length, beam->length);
-    }
-    for (int a = 0; a < 3; a++)
+    memcpy(side[0].position, joint->to, sizeof side[0].position);
+    for (int i = ground; !status && i < 2; i++)
+        if (part[i].beam) {
+            tied_at(model_place(part[i].beam, joint->at[i - ground]), side + i);
+            length = fmax(length, part[i].beam->length);
+        }
+    for (int i = ground; !status && i < 2; i++)
+        if (part[i].body)
+            status = find_on_body(joint, i, part, side, err);
+    for (int a = 0; !status && a < 3; a++)
         gap[a] = side[1].position[a] - side[0].position[a];
-    *apart = length3(gap) > COINCIDENT * length;
-    return HOBE_OK;
+    *apart = !status && length3(gap) > COINCIDENT * length;
+    return status;
 }
 
 /* Finds both places and the gap from the first to the second. */
@@ -208,10 +233,14 @@ static enum hobe_status find_places(const hobe_model *model, const struct hobe_j
 {
     const int two = joint->beam[1] != NULL;
     int apart;
-    const enum hobe_status status = joint_places(model, joint->beam, joint->at, joint->to,
-                                                 joint->where, side, gap, &apart, err);
+    const enum hobe_status status = joint_places(model, joint, side, gap, &apart, err);
     if (status)
         return status;
+    if (kinds[joint->kind].turn == STIFF && side[0].place.beam && side[1].place.beam)
+        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
+                         "a joint of kind rigid needs a body or the ground beside a beam, but "
+                         "\"%s\" and \"%s\" are beams; take fixed",
+                         joint->beam[0], joint->beam[1]);
     if (kinds[joint->kind].shift == APART)
         return apart ? HOBE_OK
                      : hobe_fail(err, HOBE_BAD_INPUT, joint->where,
@@ -242,16 +271,16 @@ static enum hobe_status add_joint(hobe_model *model, const struct hobe_joint *jo
     tie->angle = joint->angle;
     tie->position = joint->position;
     if (length3(joint->axis) > 0)
-        joint_triad(joint->axis, t);
+        triad3(joint->axis, t);
     joint_direction(tie->side, t[0], tie->axis);
     if (length3(joint->second) > 0)
-        joint_triad(joint->second, second);
+        triad3(joint->second, second);
     stop_turning(tie, kinds[joint->kind].turn, (const double(*)[3])t, second[0]);
     stop_shifting(tie, kinds[joint->kind].shift, (const double(*)[3])t, gap);
     return HOBE_OK;
 }
 
-enum hobe_status joint_beams(hobe_model *model, struct hobe_error *err)
+enum hobe_status joint_parts(hobe_model *model, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_OK;
     for (size_t i = 0; !status && i < model->joints.count; i++)
@@ -280,6 +309,26 @@ static void put_rigid(struct rank *rank, long column, const struct tied *side, c
     }
 }
 
+/* The number of the part that a place is on, beams before bodies; -1: the ground. */
+static long part_of(const hobe_model *model, const struct tied *side)
+{
+    if (side->body)
+        return (long)model->beams.count + (side->body - model_body(model, 0));
+    return side->place.beam ? side->place.beam - model_beam(model, 0) : -1;
+}
+
+/* A point of a part and its size, from which its rotations are counted. */
+static double extent(const hobe_model *model, size_t part, const double **point)
+{
+    if (part < model->beams.count) {
+        *point = model_beam(model, part)->end[0];
+        return model_beam(model, part)->length;
+    }
+    const struct body *body = model_body(model, part - model->beams.count);
+    *point = body->spec.centre;
+    return body_radius(body);
+}
+
 /* The rows J of a tie or spring. */
 static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie, int rows,
                                  double J[TIE_CONSTRAINTS][TIE_VECTORS][3], const size_t *root,
@@ -290,13 +339,12 @@ static enum hobe_status add_rows(const hobe_model *model, const struct tie *tie,
     int independent;
     for (int k = 0; !status && k < rows; k++) {
         for (int s = 0; s < 2; s++) {
-            const struct beam *beam = tie->side[s].place.beam;
-            if (!beam || held[root[beam - model_beam(model, 0)]])
+            const long part = part_of(model, tie->side + s);
+            if (part < 0 || held[root[part]])
                 continue;
-            const size_t group = root[beam - model_beam(model, 0)];
-            const struct beam *first = model_beam(model, group);
-            put_rigid(rank, 6 * (long)group, tie->side + s, (const double(*)[3])J[k] + 3 * s,
-                      first->end[0], first->length);
+            const double *point, length = extent(model, root[part], &point);
+            put_rigid(rank, 6 * (long)root[part], tie->side + s, (const double(*)[3])J[k] + 3 * s,
+                      point, length);
         }
         status = rank_add(rank, &independent, err);
     }
@@ -318,17 +366,23 @@ static void list_motions(const char *kind, const char *how, const long stopped[3
                                      "xyz"[a]);
 }
 
-/* Names the motions that no constraint stops of the group of a beam. */
-static enum hobe_status name_motions(const struct beam *beam, const long stopped[6],
+/* Names the motions that no constraint stops of the group of a part. */
+static enum hobe_status name_motions(const hobe_model *model, size_t part, const long stopped[6],
                                      struct hobe_error *err)
 {
     char text[MOTIONS] = "";
+    const size_t beams = model->beams.count;
     list_motions("translation", "along", stopped, text);
     list_motions("rotation", "about", stopped + 3, text);
-    return hobe_fail(err, HOBE_UNCONSTRAINED, beam->spec.where,
+    if (part >= beams)
+        return hobe_fail(err, HOBE_UNCONSTRAINED, model_body(model, part - beams)->spec.where,
+                         "body \"%s\" is free to move: %s; hold it by a support, or join it to a "
+                         "held beam",
+                         model_body(model, part - beams)->spec.name, text);
+    return hobe_fail(err, HOBE_UNCONSTRAINED, model_beam(model, part)->spec.where,
                      "beam \"%s\" is free to move: %s; hold it by a clamp or a support, or join it "
                      "to a held beam",
-                     beam->name, text);
+                     model_beam(model, part)->name, text);
 }
 
 enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
@@ -336,21 +390,22 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
 {
     struct rank rank;
     double J[TIE_CONSTRAINTS][TIE_VECTORS][3];
-    enum hobe_status status = rank_open(&rank, 6 * (long)model->beams.count, err);
+    const size_t parts = model->beams.count + model->bodies.count;
+    enum hobe_status status = rank_open(&rank, 6 * (long)parts, err);
     for (size_t i = 0; !status && i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
-        tie_jacobian(tie, NULL, J);
-        if (!tie->corner)
+        tie_jacobian(tie, J);
+        if (!tie->corner && !tie->rigidity)
             status = add_rows(model, tie, tie->constraints, J, root, held, &rank, err);
     }
     for (size_t i = 0; !status && i < model->springs.count; i++) {
         const int rows = spring_jacobian(model_spring(model, i), J);
         status = add_rows(model, &model_spring(model, i)->tie, rows, J, root, held, &rank, err);
     }
-    for (size_t i = 0; !status && i < model->beams.count; i++)
+    for (size_t i = 0; !status && i < parts; i++)
         for (int m = 0; !status && root[i] == i && !held[i] && m < 6; m++)
             if (!rank.row_of[6 * i + (size_t)m])
-                status = name_motions(model_beam(model, i), rank.row_of + 6 * i, err);
+                status = name_motions(model, i, rank.row_of + 6 * i, err);
     rank_close(&rank);
     return status;
 }
@@ -359,13 +414,18 @@ enum hobe_status joint_check_held(const hobe_model *model, const size_t *root,
 
 static enum hobe_status fail_redundant(const struct tie *tie, struct hobe_error *err)
 {
-    const struct place place = tie->side[1].place;
+    const struct tied *side = tie->side + 1;
+    const struct place place = side->place;
+    char at[30] = "";
+    if (place.beam)
+        snprintf(at, sizeof at, " at %.4g", (place.element + place.xi) / place.beam->spec.elements);
     return hobe_fail(err, HOBE_BAD_INPUT, tie->where,
-                     "the %s%s%s%s of beam \"%s\" at %.4g stops motions that clamps or joints "
-                     "before it stop already; leave it out, or choose a kind that stops less",
+                     "the %s%s%s%s of %s \"%s\"%s stops motions that clamps or joints before it "
+                     "stop already; leave it out, or choose a kind that stops less",
                      tie->corner ? "corner" : "joint", tie->name ? " \"" : "",
-                     tie->name ? tie->name : "", tie->name ? "\"" : "", place.beam->name,
-                     (place.element + place.xi) / place.beam->spec.elements);
+                     tie->name ? tie->name : "", tie->name ? "\"" : "",
+                     side->body ? "body" : "beam",
+                     side->body ? side->body->spec.name : place.beam->name, at);
 }
 
 enum hobe_status joint_check_redundant(const hobe_model *model, struct hobe_error *err)
@@ -376,7 +436,7 @@ enum hobe_status joint_check_redundant(const hobe_model *model, struct hobe_erro
     for (size_t i = 0; !status && i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         int independent = 1;
-        tie_jacobian(tie, NULL, J);
+        tie_jacobian(tie, J);
         for (int k = 0; !status && k < tie->constraints && !model->held[tie->multiplier]; k++) {
             for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++) {
                 const long unknown = model->unknown[tie->vector[t->entry]];

@@ -11,6 +11,7 @@
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 struct head {
@@ -66,6 +67,18 @@ static enum hobe_status fail_io(const hobe_journal *j, const char *verb, struct 
 
 /* ---- opening --------------------------------------------------------------------------------- */
 
+/* A program that was just killed keeps its lock until it has left the system. */
+static enum hobe_status lock(const hobe_journal *j, struct hobe_error *err)
+{
+    const struct timespec moment = {.tv_nsec = 50 * 1000 * 1000};
+    for (int i = 0; i < 20; i++) {
+        if (!flock(j->file, LOCK_EX | LOCK_NB))
+            return HOBE_OK;
+        nanosleep(&moment, NULL);
+    }
+    return hobe_fail(err, HOBE_IO, NULL, "%s is in use by another run", j->path);
+}
+
 static enum hobe_status open_file(hobe_journal *j, const char *folder, const char *name,
                                   struct hobe_error *err)
 {
@@ -80,9 +93,7 @@ static enum hobe_status open_file(hobe_journal *j, const char *folder, const cha
     errno = cause;
     if (j->file < 0)
         return fail_io(j, "opened", err);
-    if (flock(j->file, LOCK_EX | LOCK_NB))
-        return hobe_fail(err, HOBE_IO, NULL, "%s is in use by another run", j->path);
-    return HOBE_OK;
+    return lock(j, err);
 }
 
 static enum hobe_status read_file(hobe_journal *j, struct hobe_error *err)

@@ -45,7 +45,7 @@
 #include <stddef.h>
 
 /* Raised whenever anything below changes its meaning; generated files check it. */
-#define HOBE_KERNEL_ABI 6
+#define HOBE_KERNEL_ABI 7
 
 enum {
     HOBE_LANES = 8,          /* elements in a batch */
@@ -139,7 +139,7 @@ struct hobe_invariants {
     double *Qs;    /* [blocks][shears][shears]   shear block */
     double *Qc;    /* [blocks][normals][shears]  what couples them; NULL where nothing does */
     ptrdiff_t step_n, step_s, step_c; /* from a station's block to the next; 0 where all are one */
-    double *mass;   /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
+    double *mass; /* [vectors][vectors] scalar mass matrix; M = mass (x) I_3, kg */
     int symmetry; /* what kernel->symmetry says of the above, or less; the form "structural" has no
                      use for it, nor for what follows */
     ptrdiff_t step;  /* kernel->section_cost[symmetry].numbers where there is a block for each
@@ -248,11 +248,20 @@ struct hobe_kernel {
                     hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch);
 
     /* The cubic force in multilinear form: f = T(a; b, c), linear in each and symmetric in b, c,
-     * so that force(q) = T(q; q, q) - T(q; q0, q0).  Path series and reduced models start here.
+     * so that force(q) = T(q; q, q) - T(q; q0, q0).  Reduced models start here.
      * Arguments as in force, absolute positions up to a common translation of each.  NULL where the
      * energy is not quartic ("structural"). */
     void (*trilinear)(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
                       const hobe_lanes *c, hobe_lanes *f, hobe_lanes *scratch);
+
+    /* The force along a power series, q(a) = q0 + u_0 + a u_1 + a^2 u_2 + ...: to be called with
+     * k = 1, 2, ... and u = u_(k-1), and gives the coefficient of a^k without the part of u_k
+     * itself, which is K(u_0) u_k: f[vectors][3][HOBE_LANES], overwritten.  For orders up to K,
+     * table[K + 1][stations][3 (2 modes - 1) + normals + shears] is the caller's and keeps section
+     * vectors and stresses between the calls, so that an order costs O(k).  NULL where the energy
+     * is not quartic ("structural"). */
+    void (*series)(const struct hobe_invariants *inv, int k, const hobe_lanes *q0,
+                   const hobe_lanes *u, hobe_lanes *table, hobe_lanes *f);
 
     /* Green-Lagrange strain at a point of one element on the section's axes there, from N, Nx of
      * `shape` and phi of `section_modes`; q0, u: [vectors][3].

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load.h"
 
+#include "body.h"
 #include "constraint.h"
 #include "drive.h"
 #include "element.h"
+#include "point_mass.h"
 #include "spin.h"
+#include "taylor.h"
 #include "vector3.h"
 
 #include <float.h>
@@ -27,63 +30,98 @@ void tangent_add(const struct hobe_model *model, const struct beam *beam, int e,
 /* ---- the section where a load acts ---------------------------------------------------------- */
 
 struct station {
-    struct place place;
-    double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS];
-    double slope[2][3]; /* r_y, r_z there */
-    double frame[3][3]; /* the section's axes there in the reference, rows */
+    struct place place;      /* on a beam, */
+    const struct body *body; /* or of this */
+    int vectors;
+    double weight[3][HOBE_MAX_VECTORS]; /* of its vectors in r, r_y, r_z there */
+    double slope[2][3];                 /* r_y, r_z there */
+    double frame[3][3];                 /* the section's axes there in the reference, rows */
 };
 
-/* Axial functions at a load and the section's slopes in state u. */
-static void find_station(const struct hobe_model *model, const char *name, double at,
-                         const double *u, struct station *s)
+/* The model's number of one of them. */
+static long station_vector(const struct hobe_model *model, const struct station *s, int v)
 {
-    const struct beam *beam = model_find_beam(model, name, NULL, NULL);
-    const struct hobe_kernel *k = beam->kernel;
-    s->place = model_place(beam, at);
-    const int e = s->place.element;
-    const double *q0 = beam_q0(beam, e);
-    k->shape(s->place.xi, hobe_element_invariants(beam_law(beam, e))->length, s->N, s->Nx);
-    beam_frame(beam, e, s->N, s->Nx, s->frame);
-    for (int m = 0; m < 2; m++)
+    return s->body ? s->body->first + v : model_vector(model, s->place.beam, s->place.element, v);
+}
+
+/* A body's slopes are its directions d_2, d_3, and its axes the global ones. */
+static void find_on_body(const struct body *body, const double point[3], const double *u,
+                         struct station *s)
+{
+    *s = (struct station){.body = body,
+                          .vectors = BODY_VECTORS,
+                          .weight = {{0}, {0, 0, 1, 0}, {0, 0, 0, 1}},
+                          .slope = {{0, 1, 0}, {0, 0, 1}},
+                          .frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    body_weights(body, point, s->weight[0]);
+    for (int m = 0; u && m < 2; m++)
         for (int a = 0; a < 3; a++)
-            s->slope[m][a] = 0;
-    for (int v = 0; u && v < k->vectors; v++) {
-        const int m = k->vector[v].mode - 1;
-        const double *du = u + 3 * model_vector(model, beam, e, v);
-        if (m == 0 || m == 1)
-            for (int a = 0; a < 3; a++)
-                s->slope[m][a] += s->N[v] * (q0[3 * v + a] + du[a]);
+            s->slope[m][a] += u[3 * (body->first + 2 + m) + a];
+}
+
+/* Axial functions at a place of a beam and the section's slopes in state u, NULL: the reference. */
+static void find_on_beam(const struct hobe_model *model, struct place place, const double *u,
+                         struct station *s)
+{
+    const struct beam *beam = place.beam;
+    const struct hobe_kernel *k = beam->kernel;
+    const double *q0 = beam_q0(beam, place.element);
+    double N[HOBE_MAX_VECTORS], Nx[HOBE_MAX_VECTORS];
+    *s = (struct station){.place = place, .vectors = k->vectors};
+    k->shape(place.xi, hobe_element_invariants(beam_law(beam, place.element))->length, N, Nx);
+    beam_frame(beam, place.element, N, Nx, s->frame);
+    for (int v = 0; v < k->vectors; v++) {
+        const int mode = k->vector[v].mode;
+        if (mode > 2)
+            continue;
+        s->weight[mode][v] = N[v];
+        for (int a = 0; a < 3 && mode > 0; a++)
+            s->slope[mode - 1][a] +=
+                N[v] * (q0[3 * v + a] + (u ? u[3 * station_vector(model, s, v) + a] : 0));
     }
 }
 
-/* r += factor * N_v F over the vectors of a mode. */
-static void add_force(const struct hobe_model *model, const struct station *s, int mode,
-                      const double F[3], double factor, double *r)
+/* What a force or moment acts on in state u; of a body the point, NULL: its centre. */
+static void find_station(const struct hobe_model *model, const char *name, double at,
+                         const double *point, const double *u, struct station *s)
 {
-    const struct beam *beam = s->place.beam;
-    for (int v = 0; v < beam->kernel->vectors; v++)
-        if (beam->kernel->vector[v].mode == mode) {
-            double *rv = r + 3 * model_vector(model, beam, s->place.element, v);
-            for (int a = 0; a < 3; a++)
-                rv[a] += factor * s->N[v] * F[a];
-        }
+    const struct body *body = model_find_body(model, name);
+    if (body)
+        find_on_body(body, point, u, s);
+    else
+        find_on_beam(model, model_place(model_find_beam(model, name, NULL, NULL), at), u, s);
 }
 
-/* K += factor * N_v N_w G over the vectors v of one mode and w of another. */
-static void add_stiffness(const struct hobe_model *model, const struct station *s, int mode_v,
-                          int mode_w, const double G[3][3], double factor, const struct matrix *K)
+/* r += factor * w_v F over the vectors' weights in r, r_y or r_z (of: 0, 1, 2). */
+static void add_force(const struct hobe_model *model, const struct station *s, int of,
+                      const double F[3], double factor, double *r)
 {
-    const struct beam *beam = s->place.beam;
-    const struct hobe_kernel *k = beam->kernel;
-    for (int v = 0; v < k->vectors; v++)
-        for (int w = 0; w < k->vectors; w++) {
-            if (k->vector[v].mode != mode_v || k->vector[w].mode != mode_w)
-                continue;
+    for (int v = 0; v < s->vectors; v++) {
+        const double weight = s->weight[of][v];
+        double *rv = r + 3 * station_vector(model, s, v);
+        for (int a = 0; a < 3 && weight != 0; a++)
+            rv[a] += factor * weight * F[a];
+    }
+}
+
+/* K += factor * w_v w_w G over the weights in one of them and in another. */
+static void add_stiffness(const struct hobe_model *model, const struct station *s, int of_v,
+                          int of_w, const double G[3][3], double factor, const struct matrix *K)
+{
+    for (int v = 0; v < s->vectors; v++)
+        for (int w = 0; w < s->vectors; w++) {
+            const double weight = factor * s->weight[of_v][v] * s->weight[of_w][w];
             double block[3][3];
+            if (weight == 0)
+                continue;
             for (int a = 0; a < 3; a++)
                 for (int c = 0; c < 3; c++)
-                    block[a][c] = factor * s->N[v] * s->N[w] * G[a][c];
-            tangent_add(model, beam, s->place.element, v, w, (const double(*)[3])block, K);
+                    block[a][c] = weight * G[a][c];
+            if (s->body)
+                body_tangent_add(model, s->body, v, w, (const double(*)[3])block, K);
+            else
+                tangent_add(model, s->place.beam, s->place.element, v, w, (const double(*)[3])block,
+                            K);
         }
 }
 
@@ -123,7 +161,7 @@ static void subtract_moment(const struct hobe_model *model, const struct hobe_mo
     const double scaled =
         factor * drive_factor(model, moment->history, instant->time, moment->where);
     struct station s;
-    find_station(model, moment->beam, moment->at, u, &s);
+    find_station(model, moment->beam, moment->at, NULL, u, &s);
     const double(*frame)[3] = (const double(*)[3])s.frame;
     double m[3];
     for (int b = 0; b < 3; b++)
@@ -179,12 +217,18 @@ static void follower_derivative(const double slope[2][3], const double t[3][3], 
     }
 }
 
+/* The point of a body that a force acts on; NULL: its centre. */
+static const double *force_point(const struct hobe_force *force)
+{
+    return force->at_point ? force->point : NULL;
+}
+
 static void subtract_follower(const struct hobe_model *model, const struct hobe_force *force,
                               const double *u, double factor, double *r, const struct matrix *K)
 {
     struct station s;
     double t[3][3], local[3], F[3] = {0}, n_length;
-    find_station(model, force->beam, force->at, u, &s);
+    find_station(model, force->beam, force->at, force_point(force), u, &s);
     section_axes((const double(*)[3])s.slope, t, &n_length);
     for (int b = 0; b < 3; b++) {
         local[b] = dot3(s.frame[b], force->value);
@@ -210,16 +254,20 @@ struct contact {
 static void find_contact(const struct hobe_model *model, const struct station *s, const double *u,
                          const struct instant *instant, struct contact *at)
 {
-    const struct beam *beam = s->place.beam;
     struct tied reference;
-    tied_at(s->place, &reference);
     *at = (struct contact){.t = instant->time};
-    memcpy(at->x, reference.position, sizeof at->x);
-    for (int v = 0; v < beam->kernel->vectors; v++) {
-        const long i = 3 * model_vector(model, beam, s->place.element, v);
-        for (int a = 0; a < 3 && beam->kernel->vector[v].mode == 0; a++) {
-            at->x[a] += s->N[v] * u[i + a];
-            at->v[a] += instant->v ? s->N[v] * instant->v[i + a] : 0;
+    if (s->body)
+        for (int a = 0; a < 3; a++)
+            at->x[a] = s->body->spec.centre[a] + s->weight[0][1 + a];
+    else {
+        tied_at(s->place, &reference);
+        memcpy(at->x, reference.position, sizeof at->x);
+    }
+    for (int v = 0; v < s->vectors; v++) {
+        const long i = 3 * station_vector(model, s, v);
+        for (int a = 0; a < 3; a++) {
+            at->x[a] += s->weight[0][v] * u[i + a];
+            at->v[a] += instant->v ? s->weight[0][v] * instant->v[i + a] : 0;
         }
     }
 }
@@ -230,13 +278,13 @@ static enum hobe_status call(const struct hobe_force *force, const struct contac
     const enum hobe_status status = force->function(force->context, at->t, at->x, at->v, F, err);
     if (!status && !isfinite(F[0] + F[1] + F[2]))
         return hobe_fail(err, HOBE_BAD_INPUT, force->where,
-                         "the force on beam \"%s\" is {%g, %g, %g} at t = %g s; it must be finite",
+                         "the force on \"%s\" is {%g, %g, %g} at t = %g s; it must be finite",
                          force->beam, F[0], F[1], F[2], at->t);
     return status;
 }
 
 /* G by central differences; the error of the step eps^(1/3) is eps^(2/3), and what it scales with
- * is the length of the beam. */
+ * is the length of the beam or the size of the body. */
 static enum hobe_status differentiate(const struct hobe_force *force, const struct contact *at,
                                       double length, double G[2][3][3], struct hobe_error *err)
 {
@@ -266,12 +314,13 @@ static void subtract_called(const struct hobe_model *model, const struct hobe_fo
     struct contact at;
     struct hobe_error err;
     double F[3], G[2][3][3], sum[3][3];
-    find_station(model, force->beam, force->at, u, &s);
+    find_station(model, force->beam, force->at, force_point(force), u, &s);
+    const double length = s.body ? body_radius(s.body) : s.place.beam->length;
     find_contact(model, &s, u, instant, &at);
     enum hobe_status status = call(force, &at, F, &err);
     if (!status && K)
         status = force->derivative ? force->derivative(force->context, at.t, at.x, at.v, G, &err)
-                                   : differentiate(force, &at, s.place.beam->length, G, &err);
+                                   : differentiate(force, &at, length, G, &err);
     if (status) {
         model_fail(model, force->where, &err);
         F[0] = F[1] = F[2] = NAN;
@@ -297,7 +346,7 @@ static void subtract_force(const struct hobe_model *model, const struct hobe_for
     else if (force->follower)
         subtract_follower(model, force, u, scaled, r, K);
     else {
-        find_station(model, force->beam, force->at, u, &s);
+        find_station(model, force->beam, force->at, force_point(force), u, &s);
         add_force(model, &s, 0, force->value, -scaled, r);
     }
 }
@@ -310,10 +359,11 @@ static void changing_gravity(const struct hobe_model *model, const struct instan
 {
     const struct gravity *gravity = model->gravities.item;
     memset(g, 0, sizeof(double[3]));
-    for (size_t i = 0; i < model->gravities.count; i++)
+    for (size_t i = 0; i < model->gravities.count; i++, gravity++) {
+        const double factor = drive_factor(model, gravity->history, instant->time, gravity->where);
         for (int a = 0; a < 3; a++)
-            g[a] += gravity[i].g[a] *
-                    drive_factor(model, gravity[i].history, instant->time, gravity[i].where);
+            g[a] += factor * gravity->g[a];
+    }
 }
 
 /* f += factor times the weight of an element: M a, with a = g on every position of the centreline.
@@ -334,12 +384,18 @@ static void add_weight(const struct hobe_model *model, const struct beam *beam, 
     }
 }
 
-/* The same of all elements. */
+/* The same of all elements, bodies and masses. */
 static void add_weights(const struct hobe_model *model, const double g[3], double factor, double *f)
 {
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             add_weight(model, model_beam(model, i), e, g, factor, f);
+    for (size_t i = 0; i < model->bodies.count; i++)
+        for (int a = 0; a < 3; a++)
+            f[3 * model_body(model, i)->first + a] +=
+                factor * model_body(model, i)->spec.mass * g[a];
+    for (size_t i = 0; i < model->masses.count; i++)
+        point_mass_force(model, model_mass(model, i), factor, g, f);
 }
 
 static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_error *err)
@@ -364,9 +420,19 @@ enum hobe_status load_at(const struct hobe_model *model, const char *beam, doubl
     struct station s;
     if (!model_find_beam(model, beam, where, err))
         return HOBE_UNKNOWN;
-    find_station(model, beam, at, NULL, &s);
+    find_station(model, beam, at, NULL, NULL, &s);
     add_force(model, &s, 0, F, 1, r);
     return HOBE_OK;
+}
+
+/* What a load acts on: a body, or, not at a point, a beam. */
+static enum hobe_status check_part(const struct hobe_model *model, const char *name, int at_point,
+                                   const char *where, struct hobe_error *err)
+{
+    struct part part;
+    if (model_find_part(model, name, where, &part, err))
+        return HOBE_UNKNOWN;
+    return part.beam && at_point ? model_refuse_point(name, where, err) : HOBE_OK;
 }
 
 const struct hobe_force *load_follower(const struct hobe_model *model)
@@ -387,19 +453,22 @@ static int is_constant(const struct hobe_force *force)
 
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
 {
-    static const double none[3];
-    for (size_t i = 0; i < model->forces.count; i++) {
+    enum hobe_status status = HOBE_OK;
+    for (size_t i = 0; !status && i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (load_at(model, force->beam, force->at, is_constant(force) ? force->value : none,
-                    force->where, model->dead, err))
-            return HOBE_UNKNOWN;
+        struct station s;
+        status = check_part(model, force->beam, force->at_point, force->where, err);
+        if (status || !is_constant(force))
+            continue;
+        find_station(model, force->beam, force->at, force_point(force), NULL, &s);
+        add_force(model, &s, 0, force->value, 1, model->dead);
     }
-    for (size_t i = 0; i < model->moments.count; i++) {
+    for (size_t i = 0; !status && i < model->moments.count; i++) {
         const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
-        if (!model_find_beam(model, moment->beam, moment->where, err))
-            return HOBE_UNKNOWN;
+        status = check_part(model, moment->beam, moment->at_point, moment->where, err);
     }
-    const enum hobe_status status = build_gravity(model, err);
+    if (!status)
+        status = build_gravity(model, err);
     return status ? status : spin_build(model, err);
 }
 
@@ -425,13 +494,102 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
     spin_subtract(model, u, instant, factor, r, K);
 }
 
+/* ---- along a series -------------------------------------------------------------------------- */
+
+/* The slopes r_y, r_z at a station, which was found in u[0], along the states u[known]. */
+static void find_slopes(const struct hobe_model *model, const struct station *s,
+                        const double *const *u, int known, taylor3 slope[2])
+{
+    memset(slope, 0, 2 * sizeof *slope);
+    for (int m = 0; m < 2; m++) {
+        memcpy(slope[m][0], s->slope[m], sizeof s->slope[m]);
+        for (int v = 0; v < s->vectors; v++)
+            for (int i = 1; i < known; i++)
+                for (int a = 0; a < 3; a++)
+                    slope[m][i][a] +=
+                        s->weight[1 + m][v] * u[i][3 * station_vector(model, s, v) + a];
+    }
+}
+
+/* F[k] += that of angle_force. */
+static void angle_series(int k, const double e[3], const taylor3 slope, double m, double F[3])
+{
+    taylor3 p = {{0}}, axis = {{e[0], e[1], e[2]}}, t = {{0}}, quotient;
+    taylor along = {0}, p2 = {0};
+    memcpy(p, slope, sizeof p);
+    taylor_dot(k, slope, axis, 1, along);
+    taylor_scale(k, along, axis, -1, p);
+    taylor_cross(k, axis, p, t);
+    taylor_dot(k, p, p, 1, p2);
+    taylor_divide(k, t, p2, m, quotient);
+    for (int a = 0; a < 3; a++)
+        F[a] += quotient[k][a];
+}
+
+static void add_moment_series(const struct hobe_model *model, const struct hobe_moment *moment,
+                              const double *const *u, int known, int k, double *Q)
+{
+    const double factor = drive_factor(model, moment->history, AT_REST.time, moment->where);
+    struct station s;
+    taylor3 slope[2];
+    find_station(model, moment->beam, moment->at, NULL, u[0], &s);
+    find_slopes(model, &s, u, known, slope);
+    for (int m = 0; m < 2; m++) {
+        double F[3] = {0};
+        angle_series(k, s.frame[0], slope[m], dot3(s.frame[0], moment->value) / 2, F);
+        angle_series(k, s.frame[2 - m], slope[m], dot3(s.frame[2 - m], moment->value), F);
+        add_force(model, &s, 1 + m, F, factor, Q);
+    }
+}
+
+/* The axes of section_axes, and of them the force. */
+static void add_follower_series(const struct hobe_model *model, const struct hobe_force *force,
+                                const double *const *u, int known, int k, double *Q)
+{
+    const double factor = drive_factor(model, force->history, AT_REST.time, force->where);
+    struct station s;
+    taylor3 slope[2], n = {{0}}, t[3] = {{{0}}};
+    taylor size;
+    double F[3] = {0};
+    find_station(model, force->beam, force->at, force_point(force), u[0], &s);
+    find_slopes(model, &s, u, known, slope);
+    taylor_cross(k, slope[0], slope[1], n);
+    taylor_length(k, n, size);
+    taylor_divide(k, n, size, 1, t[0]);
+    taylor_length(k, slope[1], size);
+    taylor_divide(k, slope[1], size, 1, t[2]);
+    taylor_cross(k, t[2], t[0], t[1]);
+    for (int b = 0; b < 3; b++)
+        for (int a = 0; a < 3; a++)
+            F[a] += dot3(s.frame[b], force->value) * t[b][k][a];
+    add_force(model, &s, 0, F, factor, Q);
+}
+
+void load_series(const struct hobe_model *model, const double *const *u, int known, int k,
+                 double *Q)
+{
+    memset(Q, 0, (size_t)(3 * model->vectors) * sizeof *Q);
+    if (k == 0) {
+        load_subtract(model, u[0], &AT_REST, -1, Q, NULL);
+        return;
+    }
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        if (force->follower)
+            add_follower_series(model, force, u, known, k, Q);
+    }
+    for (size_t i = 0; i < model->moments.count; i++)
+        add_moment_series(model, (const struct hobe_moment *)model->moments.item + i, u, known, k,
+                          Q);
+}
+
+/* ---- inside an element ----------------------------------------------------------------------- */
+
 /* Whether a load acts inside an element, between its ends. */
-static int is_inside(const struct hobe_model *model, const char *name, double at,
-                     const struct beam *beam, int e)
+static int is_inside(const char *name, double at, const struct beam *beam, int e)
 {
     const struct place place = model_place(beam, at);
-    return model_find_beam(model, name, NULL, NULL) == beam && place.element == e && place.xi > 0 &&
-           place.xi < 1;
+    return !strcmp(name, beam->name) && place.element == e && place.xi > 0 && place.xi < 1;
 }
 
 void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
@@ -442,15 +600,20 @@ void load_inside(const struct hobe_model *model, const double *u, const struct i
     for (int a = 0; a < 3; a++)
         g[a] += model->gravity[a];
     add_weight(model, beam, e, g, factor, f);
+    for (size_t i = 0; i < model->masses.count; i++) {
+        const struct point_mass *mass = model_mass(model, i);
+        if (is_inside(mass->spec.beam, mass->spec.at, beam, e))
+            point_mass_force(model, mass, factor, g, f);
+    }
     spin_inside(model, u, instant, factor, beam, e, f);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (is_inside(model, force->beam, force->at, beam, e))
+        if (is_inside(force->beam, force->at, beam, e))
             subtract_force(model, force, u, instant, -factor, f, NULL);
     }
     for (size_t i = 0; i < model->moments.count; i++) {
         const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
-        if (is_inside(model, moment->beam, moment->at, beam, e))
+        if (is_inside(moment->beam, moment->at, beam, e))
             subtract_moment(model, moment, u, instant, -factor, f, NULL);
     }
 }

@@ -38,10 +38,11 @@ static int call(lua_State *L)
     return 0;
 }
 
-/* An error as a string with what was called. */
+/* An error as a string. */
 static int explain(lua_State *L)
 {
-    luaL_tolstring(L, 1, NULL);
+    if (!lua_isstring(L, 1))
+        lua_pushfstring(L, "the script failed with %s", hobe_lua_describe(L, 1));
     return 1;
 }
 

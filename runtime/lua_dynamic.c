@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Motion in time as Lua sees it. */
 #define _GNU_SOURCE
+#include "journal.h"
 #include "lua_item.h"
 
 #include <math.h>
@@ -10,6 +11,7 @@
 /* Its user values are the scene and the results of the states asked for so far. */
 struct history {
     hobe_history *history;
+    hobe_journal *journal; /* while it is solved */
 };
 
 enum { SCENE = 1, STATES = 2 };
@@ -73,7 +75,8 @@ static int finalize(lua_State *L)
 {
     struct history *history = luaL_checkudata(L, 1, "hobe.history");
     hobe_history_free(history->history);
-    history->history = NULL;
+    journal_close(history->journal);
+    *history = (struct history){NULL, NULL};
     return 0;
 }
 
@@ -239,9 +242,12 @@ static void read_start(lua_State *L, struct hobe_dynamic *options)
 {
     static const struct hobe_lua_key result = {.name = "start", .type = KEY_RESULT};
     hobe_lua_push_key(L, 2, &dynamic_schema, "start");
-    options->equilibrium =
-        lua_type(L, -1) == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "equilibrium");
-    if (!options->equilibrium)
+    const char *word = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : NULL;
+    options->equilibrium = word && !strcmp(word, "equilibrium");
+    if (word && !options->equilibrium)
+        hobe_lua_fail(L, "dynamic: start must be \"equilibrium\" or a result, got %s",
+                      hobe_lua_describe(L, -1));
+    if (!word)
         hobe_lua_read_value(L, -1, "dynamic: start", &result, &options->start);
     lua_pop(L, 1);
 }
@@ -257,7 +263,7 @@ static int solve_dynamic(lua_State *L)
     struct hobe_error err;
     read_start(L, &options.dynamic);
     struct history *history = lua_newuserdatauv(L, sizeof *history, 2);
-    history->history = NULL;
+    *history = (struct history){NULL, NULL};
     hobe_lua_set_type(L, "hobe.history", finalize, hobe_lua_history_methods, get_field);
     lua_pushvalue(L, 1);
     lua_setiuservalue(L, -2, SCENE);
@@ -265,8 +271,9 @@ static int solve_dynamic(lua_State *L)
     lua_setiuservalue(L, -2, STATES);
     options.dynamic.log = watch_step;
     options.dynamic.context = &watch;
-    hobe_lua_pause_clock();
     context->solves++;
+    history->journal = options.dynamic.journal = hobe_lua_open_journal(L);
+    hobe_lua_pause_clock();
     if (watch.log)
         fprintf(stderr, "    step           time       size  iter      error  (solve %d)\n",
                 context->solves);
@@ -275,15 +282,15 @@ static int solve_dynamic(lua_State *L)
     if (watch.shown)
         fputs("\r\033[K", stderr);
     hobe_lua_resume_clock();
+    journal_close(history->journal);
+    history->journal = NULL;
     if (status)
         hobe_lua_raise(L, &err);
     if (context->program && context->folder)
         write_rows(context, history->history);
     if (options.dynamic.rho > 0.9)
-        hobe_lua_note(L,
-                      "rho = %f leaves fast vibrations and errors to grow; motions with joints "
-                      "may fail above 0.9",
-                      options.dynamic.rho);
+        hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
+                         "motions with joints may fail");
     return 1;
 }
 

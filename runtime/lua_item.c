@@ -5,20 +5,8 @@
 
 #include <string.h>
 
-enum {
-    WHERE = 1,
-    NAME,
-    OTHER,
-    CURVE,
-    OWN_NAME,
-    DRIVE,
-    DRIVE_2,
-    ANCHORS = DRIVE_2
-}; /* user values of an item */
-
-/* Pushes an item with a copy of the size bytes of `value`. */
-static struct hobe_lua_item *push_item(lua_State *L, enum hobe_lua_kind kind, const void *value,
-                                       size_t size)
+struct hobe_lua_item *hobe_lua_push_item(lua_State *L, enum hobe_lua_kind kind, const void *value,
+                                         size_t size)
 {
     struct hobe_lua_item *item = lua_newuserdatauv(L, sizeof *item, ANCHORS);
     memset(item, 0, sizeof *item);
@@ -35,19 +23,25 @@ static struct hobe_lua_item *push_item(lua_State *L, enum hobe_lua_kind kind, co
     return item;
 }
 
-/* Keeps the string on top of the stack alive with the item below it, and returns it. */
-static const char *keep(lua_State *L, int anchor)
+const char *hobe_lua_keep(lua_State *L, int anchor)
 {
     const char *s = lua_tostring(L, -1);
     lua_setiuservalue(L, -2, anchor);
     return s;
 }
 
-/* The same for a copy of s. */
-static const char *keep_copy(lua_State *L, const char *s, int anchor)
+const char *hobe_lua_keep_copy(lua_State *L, const char *s, int anchor)
 {
     lua_pushstring(L, s);
-    return keep(L, anchor);
+    return hobe_lua_keep(L, anchor);
+}
+
+int hobe_lua_is_given(lua_State *L, const struct hobe_lua_schema *schema, const char *key)
+{
+    hobe_lua_push_key(L, 1, schema, key);
+    const int is = !lua_isnil(L, -1);
+    lua_pop(L, 1);
+    return is;
 }
 
 #define BEAM_NAME(owner)                                                                           \
@@ -56,9 +50,14 @@ static const char *keep_copy(lua_State *L, const char *s, int anchor)
     KEY(owner, at, KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),                                         \
         .doc = "place on the beam, as a fraction of its length")
 
-/* What a key of a function of time says before what it is of. */
+/* A key that holds a function of time (hobe_lua_push_drive). */
 #define TIME_KEY(key_name, measure, text)                                                          \
     KEY_OF_OTHER(key_name, "function of time", .unit = measure, .doc = text)
+
+#define HISTORY_KEY                                                                                \
+    TIME_KEY("history", NULL,                                                                      \
+             "a factor that changes in time; equilibria take it at the `time` of `hobe.static`, "  \
+             "0 where left out")
 
 /* The drive that `key` of the table at index 1 gives, or NULL; kept by the item on top. */
 static hobe_drive *keep_drive(lua_State *L, const struct hobe_lua_schema *schema, const char *key,
@@ -225,13 +224,35 @@ static int beam(lua_State *L)
     read.beam.mechanics = (enum hobe_mechanics)read.mechanics;
     read.beam.integration = read.integration == 2 ? HOBE_INTEGRATION_PAPER : HOBE_INTEGRATION_EXACT;
     push_axis(L, &read.beam);
-    struct hobe_beam *b = &push_item(L, ITEM_BEAM, &read.beam, sizeof read.beam)->as.beam;
-    b->where = keep(L, WHERE);
-    b->name = keep_copy(L, b->name, NAME);
+    struct hobe_beam *b = &hobe_lua_push_item(L, ITEM_BEAM, &read.beam, sizeof read.beam)->as.beam;
+    b->where = hobe_lua_keep(L, WHERE);
+    b->name = hobe_lua_keep_copy(L, b->name, NAME);
     hobe_lua_push_key(L, 1, &beam_schema, "section");
     lua_setiuservalue(L, -2, OTHER);
     lua_pushvalue(L, 2);
     lua_setiuservalue(L, -2, CURVE);
+    return 1;
+}
+
+/* ---- masses --------------------------------------------------------------------------------- */
+
+static const struct hobe_lua_key mass_keys[] = {
+    BEAM_NAME(struct hobe_mass),
+    PLACE(struct hobe_mass),
+    KEY(struct hobe_mass, mass, KEY_NUMBER, REQUIRED, KEY_FROM(0), .unit = "kg", .doc = "the mass"),
+    KEY(struct hobe_mass, y, KEY_NUMBER, .unit = "m", .doc = "where it sits in the section, and"),
+    KEY(struct hobe_mass, z, KEY_NUMBER, .unit = "m", .doc = "likewise, from the centroid"),
+    {0}};
+
+static const struct hobe_lua_schema mass_schema = {"mass", mass_keys};
+
+static int mass(lua_State *L)
+{
+    struct hobe_mass read = {0};
+    hobe_lua_read(L, 1, &mass_schema, &read);
+    struct hobe_mass *m = &hobe_lua_push_item(L, ITEM_MASS, &read, sizeof read)->as.mass;
+    m->where = hobe_lua_keep(L, WHERE);
+    m->beam = hobe_lua_keep_copy(L, m->beam, NAME);
     return 1;
 }
 
@@ -243,7 +264,7 @@ static int beam(lua_State *L)
 /* Keeps the name that a support or joint may have, with the item on top of the stack. */
 static const char *keep_own_name(lua_State *L, const char *name)
 {
-    return name ? keep_copy(L, name, OWN_NAME) : NULL;
+    return name ? hobe_lua_keep_copy(L, name, OWN_NAME) : NULL;
 }
 
 static const struct hobe_lua_key clamp_keys[] = {
@@ -260,12 +281,12 @@ static const struct hobe_lua_schema clamp_schema = {"clamp", clamp_keys};
 
 static int clamp(lua_State *L)
 {
-    struct hobe_clamp read;
+    struct hobe_clamp read = {0};
     hobe_lua_read(L, 1, &clamp_schema, &read);
     read.free_warping = read.free_warping == 2;
-    struct hobe_clamp *c = &push_item(L, ITEM_CLAMP, &read, sizeof read)->as.clamp;
-    c->where = keep(L, WHERE);
-    c->beam = keep_copy(L, c->beam, NAME);
+    struct hobe_clamp *c = &hobe_lua_push_item(L, ITEM_CLAMP, &read, sizeof read)->as.clamp;
+    c->where = hobe_lua_keep(L, WHERE);
+    c->beam = hobe_lua_keep_copy(L, c->beam, NAME);
     c->name = keep_own_name(L, c->name);
     return 1;
 }
@@ -281,18 +302,22 @@ struct joint {
 #define JOINT_KEYS                                                                                 \
     KEY(struct joint, kind, KEY_CHOICE, REQUIRED,                                                  \
         .choices = "fixed|spherical|revolute|universal|cylindrical|prismatic|planar|inline|"       \
-                   "inplane|distance",                                                             \
+                   "inplane|distance|rigid",                                                       \
         .doc = "what it stops.  All translations: fixed, and all rotations; spherical, no "        \
                "rotation; revolute, all but the one about the axis; universal, the one that "      \
                "would take `axis` and `second` from their right angle.  Translations across the "  \
                "axis: cylindrical, and all rotations but about it; prismatic, and all rotations; " \
                "inline, no rotation.  The translation along the axis: planar, and all rotations "  \
                "but about it; inplane, no rotation.  The translation along the line between two "  \
-               "places that are apart: distance, a rod without mass.  Warping stays free"),        \
+               "places that are apart: distance, a rod without mass.  rigid, to a body or the "    \
+               "ground: all, and the mean plane of the beam's section is that part's, without "    \
+               "shear or strain.  Warping stays free"),                                            \
         JOINT("axis", axis, KEY_VECTOR,                                                            \
               .doc = "its axis in the reference, global; it moves with the first beam, or stays"), \
         JOINT("second", second, KEY_VECTOR,                                                        \
               .doc = "of a universal joint: the axis of the second beam, at a right angle"),       \
+        JOINT("point", point, KEY_VECTOR, .unit = "m",                                             \
+              .doc = "the place on a body, global, in the reference"),                             \
         TIME_KEY("angle", "rad",                                                                   \
                  "turns the second beam about the axis: what is left free of that motion is free " \
                  "no more.  For kinds whose axis cannot tilt: fixed, revolute, cylindrical, "      \
@@ -307,32 +332,71 @@ struct joint {
     }
 
 static const struct hobe_lua_key support_keys[] = {
-    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam"),
-    JOINT("at", at[0], KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),
-          .doc = "place on the beam, as a fraction of its length"),
+    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam or body"),
+    JOINT("at", at[0], KEY_NUMBER, KEY_WITHIN(0, 1),
+          .doc = "place on the beam, as a fraction of its length; a body has a point instead"),
     JOINT("to", to, KEY_VECTOR, .unit = "m",
           .doc = "of a support that keeps a distance: the point of the ground from which"),
     JOINT_KEYS};
 
 static const struct hobe_lua_key joint_keys[] = {
-    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the first beam"),
-    JOINT("other", beam[1], KEY_TEXT, REQUIRED, .position = 2, .doc = "name of the second beam"),
-    JOINT("at", at, KEY_PAIR, REQUIRED, .doc = "the places on both, as fractions of their length"),
+    JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1,
+          .doc = "name of the first beam or body"),
+    JOINT("other", beam[1], KEY_TEXT, REQUIRED, .position = 2, .doc = "name of the second"),
+    KEY_OF_OTHER("at", "number or {a, b}",
+                 .doc =
+                     "the places on both, as fractions of their length; or one number, of a beam "
+                     "that is joined to a body, whose place is where the beam's is, or `point`"),
+    JOINT("to", to, KEY_VECTOR, .unit = "m",
+          .doc = "of two bodies at a distance: the point of the second"),
     JOINT_KEYS};
 
 static const struct hobe_lua_schema support_schema = {"support", support_keys};
 static const struct hobe_lua_schema joint_schema = {"joint", joint_keys};
 
+/* A place is needed: `at` of a beam or the point of a body. */
+static void check_place(lua_State *L, const struct hobe_lua_schema *schema)
+{
+    if (!hobe_lua_is_given(L, schema, "at") && !hobe_lua_is_given(L, schema, "point"))
+        hobe_lua_fail(L,
+                      "%s: at is missing: the place on a beam, as a fraction of its length; or "
+                      "point, {x, y, z}, of a body",
+                      schema->name);
+}
+
+/* The places of a joint or spring: `at` as one number or, of two parts, two; and whether a point is
+ * given, or two. */
+static void read_places(lua_State *L, const struct hobe_lua_schema *schema, int two, double at[2],
+                        int *at_point)
+{
+    struct hobe_lua_key key = {.type = KEY_NUMBER, KEY_WITHIN(0, 1)};
+    check_place(L, schema);
+    const char *what = lua_pushfstring(L, "%s: at", schema->name);
+    hobe_lua_push_key(L, 1, schema, "at");
+    const int number = lua_type(L, -1) == LUA_TNUMBER;
+    if (two && !number)
+        key = (struct hobe_lua_key){.type = KEY_PAIR};
+    hobe_lua_read_value(L, -1, what, &key, at);
+    if (two && number)
+        at[1] = at[0];
+    lua_pop(L, 2);
+    *at_point = hobe_lua_is_given(L, schema, "point");
+    if (*at_point && two && hobe_lua_is_given(L, schema, "to"))
+        *at_point = 2;
+}
+
 static int push_joint(lua_State *L, const struct hobe_lua_schema *schema)
 {
     struct joint read = {0};
     hobe_lua_read(L, 1, schema, &read);
+    read_places(L, schema, schema == &joint_schema, read.joint.at, &read.joint.at_point);
     read.joint.kind = (enum hobe_joint_kind)(read.kind - 1);
-    struct hobe_joint *j = &push_item(L, ITEM_JOINT, &read.joint, sizeof read.joint)->as.joint;
-    j->where = keep(L, WHERE);
-    j->beam[0] = keep_copy(L, j->beam[0], NAME);
+    struct hobe_joint *j =
+        &hobe_lua_push_item(L, ITEM_JOINT, &read.joint, sizeof read.joint)->as.joint;
+    j->where = hobe_lua_keep(L, WHERE);
+    j->beam[0] = hobe_lua_keep_copy(L, j->beam[0], NAME);
     if (j->beam[1])
-        j->beam[1] = keep_copy(L, j->beam[1], OTHER);
+        j->beam[1] = hobe_lua_keep_copy(L, j->beam[1], OTHER);
     j->name = keep_own_name(L, j->name);
     j->angle = keep_motion(L, schema, "angle", "angular_velocity", DRIVE);
     j->position = keep_motion(L, schema, "position", "velocity", DRIVE_2);
@@ -368,12 +432,15 @@ struct spring {
 #define SPRING(name, field, kind, ...) KEY_AS(name, struct spring, spring.field, kind, __VA_ARGS__)
 
 static const struct hobe_lua_key spring_keys[] = {
-    SPRING("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the first beam"),
+    SPRING("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1,
+           .doc = "name of the first beam or body"),
     SPRING("other", beam[1], KEY_TEXT, .position = 2,
-           .doc = "name of the second beam; the ground where left out"),
-    KEY_OF_OTHER("at", "number or two numbers", REQUIRED,
+           .doc = "name of the second; the ground where left out"),
+    KEY_OF_OTHER("at", "number or {a, b}",
                  .doc = "the place on the beam, as a fraction of its length; the places {a, b} on "
-                        "two"),
+                        "two, or one number for both"),
+    SPRING("point", point, KEY_VECTOR, .unit = "m",
+           .doc = "the place on a body, global, in the reference"),
     KEY(struct spring, kind, KEY_CHOICE, .choices = "length|torsion|bushing", .word = "length",
         .doc = "what it acts on.  length: the distance of its places; torsion: the angle by which "
                "the second beam has turned against the first, or the beam against the ground, "
@@ -390,7 +457,10 @@ static const struct hobe_lua_key spring_keys[] = {
            .doc = "where torsion has no moment, from the reference"),
     SPRING("axis", axis, KEY_VECTOR,
            .doc = "of torsion, in the reference, global; it moves with the first beam, or stays"),
-    SPRING("to", to, KEY_VECTOR, .unit = "m", .doc = "of a length to the ground: its place there"),
+    SPRING(
+        "to", to, KEY_VECTOR, .unit = "m",
+        .doc =
+            "of a length to the ground: its place there; of two bodies: the place on the second"),
     KEY_AS("name", struct spring, spring.name, KEY_TEXT, .doc = "its own name, for `r:spring`"),
     {0}};
 
@@ -423,20 +493,20 @@ static int spring(lua_State *L)
     hobe_lua_read(L, 1, &spring_schema, &read);
     struct hobe_spring *s = &read.spring;
     s->kind = (enum hobe_spring_kind)(read.kind > 0 ? read.kind - 1 : 0);
-    read_spring_key(L, "at", s->beam[1] ? KEY_PAIR : KEY_NUMBER, s->at);
+    read_places(L, &spring_schema, s->beam[1] != NULL, s->at, &s->at_point);
     read_rates(L, "stiffness", s->kind == HOBE_SPRING_BUSHING, s->stiffness);
     read_rates(L, "damping", s->kind == HOBE_SPRING_BUSHING, s->damping);
     hobe_lua_push_key(L, 1, &spring_schema, "to");
-    if (lua_isnil(L, -1) == (s->kind == HOBE_SPRING_LENGTH && !s->beam[1]))
+    if (s->at_point < 2 && lua_isnil(L, -1) == (s->kind == HOBE_SPRING_LENGTH && !s->beam[1]))
         hobe_lua_fail(L,
                       "spring: kind \"length\" from one beam to the ground needs to = {x, y, z}, "
                       "a point of the ground; no other has it");
     lua_settop(L, 1);
-    s = &push_item(L, ITEM_SPRING, s, sizeof *s)->as.spring;
-    s->where = keep(L, WHERE);
-    s->beam[0] = keep_copy(L, s->beam[0], NAME);
+    s = &hobe_lua_push_item(L, ITEM_SPRING, s, sizeof *s)->as.spring;
+    s->where = hobe_lua_keep(L, WHERE);
+    s->beam[0] = hobe_lua_keep_copy(L, s->beam[0], NAME);
     if (s->beam[1])
-        s->beam[1] = keep_copy(L, s->beam[1], OTHER);
+        s->beam[1] = hobe_lua_keep_copy(L, s->beam[1], OTHER);
     s->name = keep_own_name(L, s->name);
     return 1;
 }
@@ -455,24 +525,32 @@ static const struct hobe_lua_schema join_schema = {"join", join_keys};
 
 static int join(lua_State *L)
 {
-    struct hobe_join read;
+    struct hobe_join read = {0};
     hobe_lua_read(L, 1, &join_schema, &read);
     for (int i = 0; i < 2; i++)
         if (read.at[i] != 0 && read.at[i] != 1)
             hobe_lua_fail(L, "join: at[%d] must be an end of the beam, 0 or 1, got %f", i + 1,
                           read.at[i]);
-    struct hobe_join *j = &push_item(L, ITEM_JOIN, &read, sizeof read)->as.join;
-    j->where = keep(L, WHERE);
-    j->beam[0] = keep_copy(L, j->beam[0], NAME);
-    j->beam[1] = keep_copy(L, j->beam[1], OTHER);
+    struct hobe_join *j = &hobe_lua_push_item(L, ITEM_JOIN, &read, sizeof read)->as.join;
+    j->where = hobe_lua_keep(L, WHERE);
+    j->beam[0] = hobe_lua_keep_copy(L, j->beam[0], NAME);
+    j->beam[1] = hobe_lua_keep_copy(L, j->beam[1], OTHER);
     return 1;
 }
 
 /* ---- loads ---------------------------------------------------------------------------------- */
 
+#define PART_NAME(owner)                                                                           \
+    KEY(owner, beam, KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam or body")
+#define PART_PLACE(owner)                                                                          \
+    KEY(owner, at, KEY_NUMBER, KEY_WITHIN(0, 1),                                                   \
+        .doc = "place on the beam, as a fraction of its length")
+
 static const struct hobe_lua_key force_keys[] = {
-    BEAM_NAME(struct hobe_force),
-    PLACE(struct hobe_force),
+    PART_NAME(struct hobe_force),
+    PART_PLACE(struct hobe_force),
+    KEY(struct hobe_force, point, KEY_VECTOR, .unit = "m",
+        .doc = "place on a body, {x, y, z}, global, in the reference"),
     KEY_OF_OTHER("value", "vector or function", REQUIRED, .unit = "N",
                  .doc = "the force {x, y, z}, global axes; or `function(t, x, v) return {x, y, z} "
                         "end`, smooth, of the time, the position of its place, {x, y, z}, m, and "
@@ -481,22 +559,22 @@ static const struct hobe_lua_key force_keys[] = {
                  .doc = "of such a function: `function(t, x, v) return dF_dx, dF_dv end`, lists of "
                         "three rows, the second where it is not 0; differences where left out"),
     KEY(struct hobe_force, follower, KEY_FLAG,
-        .doc = "whether the force turns with the section (false: it keeps its direction)"),
-    TIME_KEY("history", NULL, "a factor"),
+        .doc = "whether the force turns with the section or body (false: it keeps its direction)"),
+    HISTORY_KEY,
     {0}};
 
 static const struct hobe_lua_key moment_keys[] = {
-    BEAM_NAME(struct hobe_moment),
-    PLACE(struct hobe_moment),
+    PART_NAME(struct hobe_moment),
+    PART_PLACE(struct hobe_moment),
     KEY(struct hobe_moment, value, KEY_VECTOR, REQUIRED, .unit = "N m",
         .doc = "the moment {x, y, z} about the global axes"),
-    TIME_KEY("history", NULL, "a factor"),
+    HISTORY_KEY,
     {0}};
 
 static const struct hobe_lua_key gravity_keys[] = {
     KEY(struct hobe_lua_gravity, value, KEY_VECTOR, REQUIRED, .position = 1, .unit = "m/s^2",
         .doc = "the acceleration {x, y, z}, global axes"),
-    TIME_KEY("history", NULL, "a factor"),
+    HISTORY_KEY,
     {0}};
 
 static const struct hobe_lua_key spin_keys[] = {
@@ -555,9 +633,11 @@ static int force(lua_State *L)
 {
     struct hobe_force read = {0};
     hobe_lua_read(L, 1, &force_schema, &read);
-    struct hobe_force *f = &push_item(L, ITEM_FORCE, &read, sizeof read)->as.force;
-    f->where = keep(L, WHERE);
-    f->beam = keep_copy(L, f->beam, NAME);
+    check_place(L, &force_schema);
+    read.at_point = hobe_lua_is_given(L, &force_schema, "point");
+    struct hobe_force *f = &hobe_lua_push_item(L, ITEM_FORCE, &read, sizeof read)->as.force;
+    f->where = hobe_lua_keep(L, WHERE);
+    f->beam = hobe_lua_keep_copy(L, f->beam, NAME);
     f->history = keep_drive(L, &force_schema, "history", 0, DRIVE);
     read_force(L, f);
     return 1;
@@ -567,9 +647,10 @@ static int moment(lua_State *L)
 {
     struct hobe_moment read = {0};
     hobe_lua_read(L, 1, &moment_schema, &read);
-    struct hobe_moment *m = &push_item(L, ITEM_MOMENT, &read, sizeof read)->as.moment;
-    m->where = keep(L, WHERE);
-    m->beam = keep_copy(L, m->beam, NAME);
+    read.at_point = !hobe_lua_is_given(L, &moment_schema, "at");
+    struct hobe_moment *m = &hobe_lua_push_item(L, ITEM_MOMENT, &read, sizeof read)->as.moment;
+    m->where = hobe_lua_keep(L, WHERE);
+    m->beam = hobe_lua_keep_copy(L, m->beam, NAME);
     m->history = keep_drive(L, &moment_schema, "history", 0, DRIVE);
     return 1;
 }
@@ -578,8 +659,9 @@ static int gravity(lua_State *L)
 {
     struct hobe_lua_gravity read = {0};
     hobe_lua_read(L, 1, &gravity_schema, &read);
-    struct hobe_lua_gravity *g = &push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
-    g->where = keep(L, WHERE);
+    struct hobe_lua_gravity *g =
+        &hobe_lua_push_item(L, ITEM_GRAVITY, &read, sizeof read)->as.gravity;
+    g->where = hobe_lua_keep(L, WHERE);
     g->history = keep_drive(L, &gravity_schema, "history", 0, DRIVE);
     return 1;
 }
@@ -588,8 +670,8 @@ static int spin(lua_State *L)
 {
     struct hobe_spin read = {0};
     hobe_lua_read(L, 1, &spin_schema, &read);
-    struct hobe_spin *s = &push_item(L, ITEM_SPIN, &read, sizeof read)->as.spin;
-    s->where = keep(L, WHERE);
+    struct hobe_spin *s = &hobe_lua_push_item(L, ITEM_SPIN, &read, sizeof read)->as.spin;
+    s->where = hobe_lua_keep(L, WHERE);
     return 1;
 }
 
@@ -597,7 +679,7 @@ static int spin(lua_State *L)
 
 static const struct hobe_lua_key motion_keys[] = {
     KEY(struct hobe_motion, beam, KEY_TEXT, .position = 1,
-        .doc = "name of the beam; everything where left out"),
+        .doc = "name of the beam or body; everything where left out"),
     KEY(struct hobe_motion, velocity, KEY_VECTOR, .unit = "m/s",
         .doc = "of the point `about`, {x, y, z}"),
     KEY(struct hobe_motion, angular_velocity, KEY_VECTOR, .unit = "rad/s",
@@ -609,11 +691,11 @@ static const struct hobe_lua_schema motion_schema = {"motion", motion_keys};
 
 static int motion(lua_State *L)
 {
-    struct hobe_motion read;
+    struct hobe_motion read = {0};
     hobe_lua_read(L, 1, &motion_schema, &read);
-    struct hobe_motion *m = &push_item(L, ITEM_MOTION, &read, sizeof read)->as.motion;
-    m->where = keep(L, WHERE);
-    m->beam = m->beam ? keep_copy(L, m->beam, NAME) : NULL;
+    struct hobe_motion *m = &hobe_lua_push_item(L, ITEM_MOTION, &read, sizeof read)->as.motion;
+    m->where = hobe_lua_keep(L, WHERE);
+    m->beam = m->beam ? hobe_lua_keep_copy(L, m->beam, NAME) : NULL;
     return 1;
 }
 
@@ -624,34 +706,47 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      "A beam of elements of equal length on a straight or curved axis, on which its section can "
      "turn.",
      &beam_schema, NULL},
+    {"body", hobe_lua_body,
+     "hobe.body{name =, mass =, centre =, inertia =, axis =, second =} or hobe.body{name =, shape "
+     "=, "
+     "..., density =, centre =}",
+     "A rigid body, in natural coordinates: its centre of mass and three directions.  Joints, "
+     "supports, forces and moments name it as they name a beam.",
+     &hobe_lua_body_schema, NULL},
+    {"mass", mass, "hobe.mass{\"beam\", at =, mass =}",
+     "A mass at a point of a beam, which every mode of the section moves.", &mass_schema, NULL},
     {"clamp", clamp, "hobe.clamp{\"beam\", at =}", "Holds a node of a beam in place and direction.",
      &clamp_schema, NULL},
     {"support", support, "hobe.support{\"beam\", at =, kind =, axis =}",
-     "Holds a place of a beam as a joint to the ground would.", &support_schema, NULL},
+     "Holds a place of a beam, or a point of a body, as a joint to the ground would.",
+     &support_schema, NULL},
     {"joint", joint, "hobe.joint{\"a\", \"b\", at = {1, 0}, kind =, axis =}",
-     "A joint between places of two beams, which must coincide but for a distance.  Directions "
-     "that move with a beam "
-     "are carried by its section's slopes y and z and by their normal.",
+     "A joint between places of two beams or bodies, which must coincide but for a distance.  "
+     "Directions that move with a beam are carried by its section's slopes y and z and by their "
+     "normal.",
      &joint_schema, NULL},
     {"spring", spring,
      "hobe.spring{\"a\", \"b\", at = {1, 0}, stiffness =, damping =} or "
      "hobe.spring{\"a\", at =, to = {x, y, z}, stiffness =, damping =}",
-     "A spring and damper without mass between places of two beams, or of one and the ground.  It "
+     "A spring and damper without mass between places of two beams or bodies, or of one and the "
+     "ground.  It "
      "holds a scene as a support does, along what it acts on.",
      &spring_schema, NULL},
     {"join", join, "hobe.join{\"a\", \"b\", at = {1, 0}}",
      "Makes ends of two beams one node, rigidly, at any angle; the ends must coincide.",
      &join_schema, NULL},
     {"force", force, "hobe.force{\"beam\", at =, value = {x, y, z}}",
-     "A point force on the axis of a beam, dead or following the section.", &force_schema, NULL},
+     "A force on the axis of a beam or on a body, dead or following the section or the body.",
+     &force_schema, NULL},
     {"moment", moment, "hobe.moment{\"beam\", at =, value = {x, y, z}}",
      "A moment, conservative.  Resolved on the beam's axes in the reference, (m_x, m_y, m_z), its "
      "potential is -m_x (a + b)/2 - m_y c - m_z d: a and b the angles of the section's slopes y "
      "and "
-     "z about x, c that of slope z about y, d that of slope y about z.",
+     "z about x, c that of slope z about y, d that of slope y about z; of a body its global axes "
+     "and its directions that are Y and Z in the reference.",
      &moment_schema, NULL},
     {"gravity", gravity, "hobe.gravity{0, 0, -9.81}",
-     "Gravity on every beam of the scene; several add up.", &gravity_schema, NULL},
+     "Gravity on every beam, body and mass of the scene; several add up.", &gravity_schema, NULL},
     {"spin", spin, "hobe.spin{axis = {0, 0, 1}, speed =}",
      "The scene as seen in a frame that turns steadily with all its supports: its equilibrium "
      "bears the centrifugal force w^2 M P q, P the projection across the axis, which moves with "
@@ -662,6 +757,6 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
      &spin_schema, NULL},
     {"motion", motion, "hobe.motion{[\"beam\",] velocity =, angular_velocity =, about =}",
      "Velocities with which `hobe.dynamic` starts: those of a rigid motion.  Of several that speak "
-     "of a beam the last counts.",
+     "of a beam or body the last counts.",
      &motion_schema, NULL},
     {0}};

@@ -13,6 +13,8 @@
 
 enum hobe_lua_kind {
     ITEM_BEAM,
+    ITEM_BODY,
+    ITEM_MASS,
     ITEM_CLAMP,
     ITEM_FORCE,
     ITEM_MOMENT,
@@ -36,6 +38,8 @@ struct hobe_lua_item {
     enum hobe_lua_kind kind;
     union {
         struct hobe_beam beam;
+        struct hobe_body body;
+        struct hobe_mass mass;
         struct hobe_clamp clamp;
         struct hobe_force force;
         struct hobe_moment moment;
@@ -70,6 +74,27 @@ void hobe_lua_choose_material(lua_State *L, const struct hobe_lua_schema *schema
  * the script's functions as they are.  (lua_curve.c) */
 const hobe_curve *hobe_lua_push_curve(lua_State *L, int curve, int twist,
                                       const struct hobe_beam *beam);
+
+/* Pushes an item with a copy of the size bytes of `value`, and on it the place of the script that
+ * makes it. */
+struct hobe_lua_item *hobe_lua_push_item(lua_State *L, enum hobe_lua_kind kind, const void *value,
+                                         size_t size);
+
+/* Keeps the string on top of the stack alive with the item below it as user value `anchor`, and
+ * returns it; the same for a copy of s. */
+enum { WHERE = 1, NAME, OTHER, CURVE, OWN_NAME, DRIVE, DRIVE_2, ANCHORS = DRIVE_2 };
+const char *hobe_lua_keep(lua_State *L, int anchor);
+const char *hobe_lua_keep_copy(lua_State *L, const char *s, int anchor);
+
+/* Whether the table at index 1 holds the key. */
+int hobe_lua_is_given(lua_State *L, const struct hobe_lua_schema *schema, const char *key);
+
+/* Reads a point {x, y, z} of a body, an argument of a method; 0 where it is nil.  (lua_body.c) */
+int hobe_lua_read_body_point(lua_State *L, int index, const char *method, double point[3]);
+
+/* hobe.body{...}.  (lua_body.c) */
+extern const struct hobe_lua_schema hobe_lua_body_schema;
+int hobe_lua_body(lua_State *L);
 
 /* Pushes a result that is still empty, of the scene at an index (lua_solve.c). */
 hobe_solution **hobe_lua_new_result(lua_State *L, int scene);

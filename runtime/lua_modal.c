@@ -37,7 +37,7 @@ static const struct hobe_lua_field fields[] = {
     FOUND("residual", modes.residual, 'd', NULL,
           "of a turning frame: how much a step of inverse iteration would change the worst shape, "
           "relative; its square is about the error of a frequency"),
-    FOUND("mass", modes.mass, 'd', "kg", "of all beams"),
+    FOUND("mass", modes.mass, 'd', "kg", "of all beams, bodies and masses"),
     FOUND("unknowns", modes.unknowns, 'l', NULL, "scalar unknowns"),
     FOUND("setup_seconds", model.setup, 'd', "s", "building the scene"),
     FOUND("solve_seconds", modes.seconds, 'd', "s", "finding the modes"),
@@ -179,10 +179,16 @@ static int push_point(lua_State *L, const char *name, mode_point *point)
     static const struct hobe_lua_key offset_key = {.name = "offset", .type = KEY_NUMBER};
     const struct modes *modes = luaL_checkudata(L, 1, HOBE_LUA_MODES);
     struct hobe_error err;
-    double at, y, z, u[3];
+    double at, y, z, u[3], quadrature[3], of[3];
     lua_settop(L, 6);
     const int i = read_index(L, modes, name);
     const char *beam = hobe_lua_text(L, 3, lua_pushfstring(L, "%s: the beam", name));
+    if (hobe_model_has_body(modes->model, beam)) {
+        const int given = hobe_lua_read_body_point(L, 4, name, of);
+        if (hobe_modes_body(modes->modes, i, beam, given ? of : NULL, u, quadrature, &err))
+            hobe_lua_raise(L, &err);
+        return hobe_lua_push_numbers(L, point == hobe_modes_quadrature ? quadrature : u, 3);
+    }
     hobe_lua_read_value(L, 4, lua_pushfstring(L, "%s: at", name), &at_key, &at);
     hobe_lua_read_value(L, 5, lua_pushfstring(L, "%s: y", name), &offset_key, &y);
     hobe_lua_read_value(L, 6, lua_pushfstring(L, "%s: z", name), &offset_key, &z);

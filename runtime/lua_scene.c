@@ -16,6 +16,7 @@ static int finalize(lua_State *L)
 
 static const struct hobe_lua_field fields[] = {
     INFO(beams, 'i', NULL, "number of beams"),
+    INFO(bodies, 'i', NULL, "number of bodies"),
     INFO(elements, 'i', NULL, "number of elements"),
     INFO(vectors, 'l', NULL, "nodal vectors, held ones included"),
     INFO(unknowns, 'l', NULL, "scalar unknowns that are solved for"),
@@ -72,6 +73,10 @@ static enum hobe_status add_item(hobe_model *model, const struct hobe_lua_item *
     switch (item->kind) {
     case ITEM_BEAM:
         return hobe_model_beam(model, &item->as.beam, err);
+    case ITEM_BODY:
+        return hobe_model_body(model, &item->as.body, err);
+    case ITEM_MASS:
+        return hobe_model_mass(model, &item->as.mass, err);
     case ITEM_CLAMP:
         return hobe_model_clamp(model, &item->as.clamp, err);
     case ITEM_FORCE:
@@ -109,7 +114,7 @@ static void note_beam(lua_State *L, const struct hobe_beam *beam)
 /* Adds the items of the list at index `items` to the model. */
 static void add_items(lua_State *L, int items, hobe_model *model)
 {
-    int beams = 0;
+    int parts = 0;
     for (lua_Integer i = 1; lua_rawgeti(L, items, i) != LUA_TNIL; i++) {
         const struct hobe_lua_item *item = lua_touserdata(L, -1);
         struct hobe_error err;
@@ -120,12 +125,12 @@ static void add_items(lua_State *L, int items, hobe_model *model)
             hobe_lua_raise(L, &err);
         if (item->kind == ITEM_BEAM)
             note_beam(L, &item->as.beam);
-        beams += item->kind == ITEM_BEAM;
+        parts += item->kind == ITEM_BEAM || item->kind == ITEM_BODY;
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
-    if (beams == 0)
-        hobe_lua_fail(L, "scene: there is no hobe.beam{...} in it");
+    if (parts == 0)
+        hobe_lua_fail(L, "scene: there is no hobe.beam{...} or hobe.body{...} in it");
 }
 
 /* ---- scenes --------------------------------------------------------------------------------- */
@@ -174,7 +179,8 @@ static int scene(lua_State *L)
 
 const struct hobe_lua_entry hobe_lua_scene_entries[] = {
     {"scene", scene, "hobe.scene{items...}",
-     "A scene of beams, supports and loads in any order, checked and made ready to be solved.  An "
+     "A scene of beams, bodies, supports and loads in any order, checked and made ready to be "
+     "solved.  An "
      "error names the line of the item at fault.",
      NULL, fields},
     {0}};

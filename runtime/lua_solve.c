@@ -181,19 +181,43 @@ static struct hobe_point read_point(lua_State *L, const char *name)
     return point;
 }
 
+/* Whether the arguments of a method name a body, and, behind its name, a point of it or nil: finds
+ * where that is. */
+static int read_body(lua_State *L, const char *name, struct hobe_body_point *is)
+{
+    const struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_error err;
+    double point[3];
+    lua_settop(L, 5);
+    const char *body = hobe_lua_text(L, 2, lua_pushfstring(L, "%s: the beam or body", name));
+    if (!hobe_model_has_body(result->model, body))
+        return 0;
+    const int given = hobe_lua_read_body_point(L, 3, name, point);
+    if (hobe_solution_body(result->solution, body, given ? point : NULL, is, &err))
+        hobe_lua_raise(L, &err);
+    return 1;
+}
+
 static int displacement(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "displacement").u, 3);
+    struct hobe_body_point is;
+    return hobe_lua_push_numbers(
+        L, read_body(L, "displacement", &is) ? is.u : read_point(L, "displacement").u, 3);
 }
 
 static int position(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "position").r, 3);
+    struct hobe_body_point is;
+    return hobe_lua_push_numbers(
+        L, read_body(L, "position", &is) ? is.r : read_point(L, "position").r, 3);
 }
 
 /* Pushes the velocity of the place that the arguments ask for, or the acceleration. */
 static int push_rate(lua_State *L, const char *name, int acceleration)
 {
+    struct hobe_body_point is;
+    if (read_body(L, name, &is))
+        return hobe_lua_push_numbers(L, acceleration ? is.acceleration : is.velocity, 3);
     const struct spot s = read_spot(L, name);
     double rate[2][3];
     struct hobe_error err;
@@ -214,7 +238,18 @@ static int acceleration(lua_State *L)
 
 static int rotation(lua_State *L)
 {
-    return hobe_lua_push_numbers(L, read_point(L, "rotation").rotation, 3);
+    struct hobe_body_point is;
+    return hobe_lua_push_numbers(
+        L, read_body(L, "rotation", &is) ? is.rotation : read_point(L, "rotation").rotation, 3);
+}
+
+static int angular_velocity(lua_State *L)
+{
+    struct hobe_body_point is;
+    if (!read_body(L, "angular_velocity", &is))
+        hobe_lua_fail(L, "angular_velocity: there is no body \"%s\" in the scene",
+                      lua_tostring(L, 2));
+    return hobe_lua_push_numbers(L, is.angular_velocity, 3);
 }
 
 static int strain(lua_State *L)
@@ -362,16 +397,20 @@ static int spring(lua_State *L)
 const struct hobe_lua_entry hobe_lua_result_methods[] = {
     {"displacement", displacement, "r:displacement(beam, at [, y, z])",
      "`{u1, u2, u3}`, m, global axes, at the fraction `at` of the beam's length; of the axis, or "
-     "of the point (y, z) of the section, m from the centroid.",
+     "of the point (y, z) of the section, m from the centroid.  Of a body: "
+     "`r:displacement(body [, point])`, of its centre of mass, or of the point that was at "
+     "`{x, y, z}` in the reference.",
      NULL, NULL},
-    {"position", position, "r:position(beam, at [, y, z])", "`{x, y, z}`, m, global axes.", NULL,
-     NULL},
+    {"position", position, "r:position(beam, at [, y, z])",
+     "`{x, y, z}`, m, global axes; also of a body.", NULL, NULL},
     {"velocity", velocity, "r:velocity(beam, at [, y, z])",
-     "Of a state of a motion, `{v1, v2, v3}`, m/s, global axes.", NULL, NULL},
+     "Of a state of a motion, `{v1, v2, v3}`, m/s, global axes; also of a body.", NULL, NULL},
     {"acceleration", acceleration, "r:acceleration(beam, at [, y, z])", "Likewise, m/s^2.", NULL,
      NULL},
+    {"angular_velocity", angular_velocity, "r:angular_velocity(body)",
+     "Of a body in a state of a motion, rad/s, global axes.", NULL, NULL},
     {"rotation", rotation, "r:rotation(beam, at)",
-     "The rotation vector of the section, rad, global axes.", NULL, NULL},
+     "The rotation vector of the section, or of a body, rad, global axes.", NULL, NULL},
     {"twist", twist, "r:twist(beam, at)",
      "`atan2(-r_z.Y, r_z.Z)`, rad, with Y and Z the section's axes before the load, and its whole "
      "turns, counted along the beam from its first clamp (its begin, without one).  The slope "
@@ -499,7 +538,18 @@ struct options {
 
 #define NEWTON(name, kind, ...) KEY_AS(#name, struct options, newton.name, kind, __VA_ARGS__)
 
+/* METHOD of the options of a verb. */
+#define METHOD(owner, field)                                                                       \
+    KEY_AS("method", owner, field, KEY_CHOICE, .choices = "newton|series", .word = "newton",       \
+           .doc = "`series`: steps go along a power series of the path, as far as that is good; "  \
+                  "fewer factorisations where many steps are needed")
+
 static const struct hobe_lua_key static_keys[] = {
+    METHOD(struct options, newton.method),
+    NEWTON(start, KEY_RESULT,
+           .doc = "a result to start from, at the full load, in one step, or if that fails from "
+                  "the reference: of this scene or of one of the same shape, under another load "
+                  "or of other size; not by series"),
     NEWTON(steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 1, .doc = "load steps to begin with"),
     NEWTON(time, KEY_NUMBER, KEY_FROM(0), .unit = "s",
            .doc = "when functions of time are taken; load steps go to the motions of joints there, "
@@ -577,14 +627,16 @@ static const struct hobe_lua_schema reach_schema = {"reach", reach_keys};
 
 static const struct hobe_lua_key path_keys[] = {
     PATH("steps", steps, KEY_WHOLE, KEY_WITHIN(1, 1e6), .fallback = 200, .doc = "steps at most"),
-    PATH("arc", arc, KEY_NUMBER, KEY_ABOVE(0), .fallback = 0.05,
-         .doc = "longest step: 1 is what the linear response to all loads would take"),
+    PATH("arc", arc, KEY_NUMBER, KEY_ABOVE(0),
+         .doc = "longest step: 1 is what the linear response to all loads would take; 0.05 unless "
+                "given, by series without limit"),
     PATH("smallest_arc", smallest_arc, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
          .doc = "share of it below which a step is not cut"),
     PATH("to", to, KEY_NUMBER, .fallback = 1,
          .doc = "load factor that ends the path, other than 0; the path starts towards it"),
     PATH("reach", reach, KEY_GROUP, .group = &reach_schema,
          .doc = "a displacement that ends the path"),
+    METHOD(struct path_options, path.newton.method),
     PATH("tolerance", newton.tolerance, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-9,
          .doc = "residual to reach, relative to the load"),
     PATH("max_iterations", newton.max_iterations, KEY_WHOLE, KEY_WITHIN(1, 1000), .fallback = 12,
@@ -656,6 +708,8 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     lua_setfield(L, -2, "iterations");
     lua_pushinteger(L, info.cutbacks);
     lua_setfield(L, -2, "cutbacks");
+    lua_pushinteger(L, info.factorisations);
+    lua_setfield(L, -2, "factorisations");
     set_events(L, path);
     warn_along(L, model);
     if (info.end == HOBE_PATH_STEPS)
@@ -697,7 +751,8 @@ const struct hobe_lua_entry hobe_lua_solve_entries[] = {
      "The equilibrium path from the reference through limit points, by arc length: the load factor "
      "is found with the displacements.  Returns a list of results, `p[i].load` the load factor of "
      "the i-th and `p[i].negative` its negative eigenvalues; and in it `ended`, what ended it: "
-     "`\"load\"`, `\"displacement\"` or `\"steps\"`; `iterations`, `cutbacks`, `solve_seconds`; "
+     "`\"load\"`, `\"displacement\"` or `\"steps\"`; `iterations`, `factorisations`, `cutbacks`, "
+     "`solve_seconds`; "
      "and "
      "`limit_points` and `bifurcations`, lists of tables: `load`, the factor there; `from` and "
      "`to`, those of the points before and after; `after`, the number of the point before; "

@@ -148,6 +148,9 @@ static int run_script(struct run *run)
     int status = lua_pcall(L, 1, 1, 0);
     hobe_lua_check_memory();
     hobe_lua_pause_clock();
+    if (status != LUA_OK &&
+        !hobe_lua_context(L)->resume) /* it would fail again; another's may not */
+        hobe_lua_drop_journals(L);
     const char *message = lua_tostring(L, -1);
     if (message)
         complain_from(run->script, message);
@@ -295,18 +298,29 @@ static void join_modes(struct hobe_text *text, const struct hobe_kernel *kernel)
 }
 
 /* The two ways to force and tangent, what they cost, and where each is taken. */
+/* What each plan costs on a straight beam and on one that is curved or tapered, by the symmetry
+ * that the section keeps; the tensor is for straight ones. */
 static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
 {
-    static const char *const keeps[HOBE_SYMMETRIES] = {
-        "curved or tapered, any section",  "straight, any section",
-        "curved or tapered, symmetric y",  "straight, symmetric in y",
-        "curved or tapered, symmetric z",  "straight, symmetric in z",
-        "curved or tapered, symmetric yz", "straight, symmetric in y and z",
-    };
-    (void)keeps;
-    hobe_text_add(text, "flops of force, and of force and tangent:\n");
-    hobe_text_add(text, "  from station to station, any beam: %ld, %ld\n", k->flops_force,
-                  k->flops_tangent);
+    static const char *const section[] = {"any section", "symmetric in y", "symmetric in z",
+                                          "symmetric in y and z"};
+    if (!k->section) {
+        hobe_text_add(text, "flops of force, and of force and tangent: %ld, %ld\n", k->flops_force,
+                      k->flops_tangent);
+        return;
+    }
+    hobe_text_add(text, "flops of force, and of force and tangent, by two plans:\n");
+    for (int s = HOBE_SYMMETRIES - 1; s >= 0; s--) {
+        const struct hobe_plan_cost *by_station = k->section_cost + s, *whole = k->tensor_cost + s;
+        const int straight = s & HOBE_SYMMETRIC_X, pays = hobe_tensor_pays(k, s);
+        hobe_text_add(text, "  %s, %s: section %ld, %ld%s", straight ? "straight" : "varying",
+                      section[s / 2], by_station->flops_force, by_station->flops_tangent,
+                      pays ? "" : " (taken)");
+        if (straight)
+            hobe_text_add(text, "; tensor %ld, %ld%s", whole->flops_force, whole->flops_tangent,
+                          pays ? " (taken: cheaper)" : "");
+        hobe_text_add(text, "\n");
+    }
 }
 
 static int explain_element(const char *name)

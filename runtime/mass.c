@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mass.h"
 
+#include "body.h"
 #include "load.h"
+#include "point_mass.h"
 #include "vector3.h"
 
 #include <string.h>
@@ -85,6 +87,15 @@ void mass_force_through(const struct hobe_model *model, const double A[3][3], co
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             mass_element_force(model, model_beam(model, i), e, A, a, f);
+    for (size_t i = 0; i < model->bodies.count; i++)
+        body_mass_force(model_body(model, i), A, a, f);
+    for (size_t i = 0; i < model->masses.count; i++) {
+        double moved[3], through[3];
+        point_mass_value(model, model_mass(model, i), a, moved);
+        for (int c = 0; c < 3; c++)
+            through[c] = dot3(A[c], moved);
+        point_mass_force(model, model_mass(model, i), 1, through, f);
+    }
 }
 
 void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
@@ -93,6 +104,10 @@ void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             element_matrix(model, model_beam(model, i), e, A, K);
+    for (size_t i = 0; i < model->bodies.count; i++)
+        body_mass_matrix(model, model_body(model, i), A, K);
+    for (size_t i = 0; i < model->masses.count; i++)
+        point_mass_matrix(model, model_mass(model, i), A, K);
 }
 
 void mass_force(const struct hobe_model *model, double factor, const double *a, double *f)
@@ -123,6 +138,15 @@ double mass_product(const struct hobe_model *model, const double *a, const doubl
     double sum = 0;
     for (size_t i = 0; i < model->beams.count; i++)
         sum += mass_product_of(model, model_beam(model, i), a, b);
+    for (size_t i = 0; i < model->bodies.count; i++)
+        sum += body_mass_product(model_body(model, i), a, b);
+    for (size_t i = 0; i < model->masses.count; i++) {
+        const struct point_mass *mass = model_mass(model, i);
+        double x[3], y[3];
+        point_mass_value(model, mass, a, x);
+        point_mass_value(model, mass, b, y);
+        sum += mass->spec.mass * dot3(x, y);
+    }
     return sum;
 }
 
@@ -136,6 +160,8 @@ void mass_translation(const struct hobe_model *model, int axis, double *field)
                 if (beam->kernel->vector[v].mode == 0 && !beam->kernel->vector[v].slope)
                     field[3 * model_vector(model, beam, e, v) + axis] = 1;
     }
+    for (size_t i = 0; i < model->bodies.count; i++)
+        field[3 * model_body(model, i)->first + axis] = 1;
 }
 
 enum hobe_status mass_check(const struct hobe_model *model, const char *what,

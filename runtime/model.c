@@ -3,12 +3,14 @@
 #include "model.h"
 
 #include "assemble.h"
+#include "body.h"
 #include "constraint.h"
 #include "damping.h"
 #include "joint.h"
 #include "load.h"
 #include "numbering.h"
 #include "pattern.h"
+#include "point_mass.h"
 #include "spring.h"
 #include "vector3.h"
 
@@ -77,6 +79,9 @@ void hobe_model_free(hobe_model *model)
     for (size_t i = 0; i < model->beams.count; i++)
         beam_free(model_beam(model, i));
     hobe_free(model->beams.item);
+    free_named(&model->bodies, sizeof(struct body), offsetof(struct body, spec.name), 1);
+    free_named(&model->masses, sizeof(struct point_mass), offsetof(struct point_mass, spec.beam),
+               1);
     free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 2);
     free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
     free_named(&model->moments, sizeof(struct hobe_moment), offsetof(struct hobe_moment, beam), 1);
@@ -153,15 +158,26 @@ static const struct beam *find_lender(void *context, const struct beam *beam)
     return NULL;
 }
 
+/* Beams and bodies are found by their names. */
+static enum hobe_status check_part_name(const hobe_model *model, const char *name,
+                                        const char *where, struct hobe_error *err)
+{
+    int twice = hobe_model_has_body(model, name);
+    for (size_t i = 0; i < model->beams.count; i++)
+        twice |= !strcmp(model_beam(model, i)->name, name);
+    return twice ? hobe_fail(err, HOBE_BAD_INPUT, where,
+                             "the scene has two %s named \"%s\"; names must differ",
+                             model->bodies.count ? "beams or bodies" : "beams", name)
+                 : HOBE_OK;
+}
+
 enum hobe_status hobe_model_beam(hobe_model *model, const struct hobe_beam *spec,
                                  struct hobe_error *err)
 {
     if (check_open(model, spec->where, err))
         return HOBE_BAD_INPUT;
-    for (size_t i = 0; i < model->beams.count; i++)
-        if (strcmp(model_beam(model, i)->name, spec->name) == 0)
-            return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
-                             "the scene has two beams named \"%s\"; names must differ", spec->name);
+    if (check_part_name(model, spec->name, spec->where, err))
+        return HOBE_BAD_INPUT;
     if (spec->elements < 1 || spec->elements > MAX_ELEMENTS)
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where, "elements must be from 1 to %d, got %d",
                          MAX_ELEMENTS, spec->elements);
@@ -204,6 +220,35 @@ static enum hobe_status add_item(struct list *list, const void *item, size_t siz
     memcpy(added, item, size);
     memcpy(added + offset, copy, (size_t)names * sizeof *copy);
     return HOBE_OK;
+}
+
+enum hobe_status hobe_model_body(hobe_model *model, const struct hobe_body *spec,
+                                 struct hobe_error *err)
+{
+    struct body body;
+    enum hobe_status status = check_open(model, spec->where, err);
+    if (!status)
+        status = check_part_name(model, spec->name, spec->where, err);
+    if (!status)
+        status = body_open(spec, &body, err);
+    return status ? status
+                  : add_item(&model->bodies, &body, sizeof body, offsetof(struct body, spec.name),
+                             1, err);
+}
+
+enum hobe_status hobe_model_mass(hobe_model *model, const struct hobe_mass *spec,
+                                 struct hobe_error *err)
+{
+    const struct point_mass mass = {.spec = *spec};
+    if (check_at(model, spec->at, spec->where, err))
+        return HOBE_BAD_INPUT;
+    if (!(spec->mass >= 0) || not_finite(&spec->mass, 1) || not_finite(&spec->y, 1) ||
+        not_finite(&spec->z, 1))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a mass must be >= 0 (kg), its y and z finite (m), got %g at %g, %g",
+                         spec->mass, spec->y, spec->z);
+    return add_item(&model->masses, &mass, sizeof mass, offsetof(struct point_mass, spec.beam), 1,
+                    err);
 }
 
 /* Reactions are asked for by name, so that no two supports or joints may have the same. */
@@ -261,8 +306,9 @@ enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *sp
 {
     if (check_at(model, spec->at, spec->where, err))
         return HOBE_BAD_INPUT;
-    if (not_finite(spec->value, 3))
-        return hobe_fail(err, HOBE_BAD_INPUT, spec->where, "a force must be finite (N)");
+    if (not_finite(spec->value, 3) || not_finite(spec->point, 3))
+        return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
+                         "a force must be finite (N), and its point (m)");
     if (spec->function && (spec->follower || length3(spec->value) > 0))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
                          "a force that is a function gives its global axes itself; leave out "
@@ -362,6 +408,10 @@ const struct beam *model_find_beam(const struct hobe_model *model, const char *n
             used += (size_t)snprintf(known + used, sizeof known - used, "%s\"%s\"", i ? ", " : "",
                                      beam->name);
     }
+    if (hobe_model_has_body(model, name)) {
+        hobe_fail(err, HOBE_UNKNOWN, where, "\"%s\" is a body; a beam is needed here", name);
+        return NULL;
+    }
     hobe_fail(err, HOBE_UNKNOWN, where, "there is no beam \"%s\" in the scene; beams are: %s", name,
               model->beams.count ? known : "none");
     return NULL;
@@ -391,6 +441,8 @@ enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_er
 void model_reference(const struct hobe_model *model, double *q)
 {
     memset(q, 0, (size_t)(3 * model->vectors) * sizeof *q);
+    for (size_t i = 0; i < model->bodies.count; i++)
+        body_reference(model_body(model, i), q);
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         for (int e = 0; e < beam->spec.elements; e++)
@@ -413,6 +465,7 @@ const char *hobe_model_note(const hobe_model *model, int i)
 void hobe_model_info(const hobe_model *model, struct hobe_model_info *info)
 {
     *info = (struct hobe_model_info){.beams = (int)model->beams.count,
+                                     .bodies = (int)model->bodies.count,
                                      .vectors = model->vectors,
                                      .unknowns = 3 * model->unknowns,
                                      .setup = model->setup};
@@ -454,8 +507,8 @@ enum hobe_status model_failure(const struct hobe_model *model, struct hobe_error
 
 static enum hobe_status build(hobe_model *model, struct hobe_error *err)
 {
-    if (model->beams.count == 0)
-        return hobe_fail(err, HOBE_BAD_INPUT, NULL, "the scene has no beam");
+    if (model->beams.count + model->bodies.count == 0)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL, "the scene has no beam and no body");
     enum hobe_status status = number_model(model, err);
     if (status)
         return status;
@@ -463,6 +516,8 @@ static enum hobe_status build(hobe_model *model, struct hobe_error *err)
         return hobe_fail(err, HOBE_BAD_INPUT, model_beam(model, 0)->spec.where,
                          "nothing is left to solve for: every node is clamped");
     status = pattern_build(model, err);
+    if (!status)
+        status = point_mass_places(model, err);
     if (!status)
         status = load_build(model, err);
     return status ? status : assemble_schedule(model, err);

@@ -5,6 +5,7 @@
  * first + e * step + (0 .. V-1), so that neighbours share those of their common node.  A join
  * makes a vector stand for another (`alias`); a vector that is neither an alias nor held has a
  * number `unknown` >= 0, and its three components are the scalar unknowns 3 * unknown + 0, 1, 2.
+ * Behind the beams' vectors are those of rigid bodies, four each (body.h).
  * States u hold displacements of all vectors, and then the Lagrange multipliers, [vectors][3]. */
 #ifndef HOBE_MODEL_H
 #define HOBE_MODEL_H
@@ -81,9 +82,10 @@ struct schedule {
 
 struct hobe_model {
     struct list beams, clamps, forces, moments, joins, joints; /* struct beam, hobe_clamp, ... */
-    struct list springs, motions;                              /* struct spring, hobe_motion */
-    struct list gravities;                                     /* struct gravity, with a history */
-    struct list ties; /* struct tie (constraint.h), of corners and joints */
+    struct list bodies, masses;   /* struct body (body.h), struct point_mass (point_mass.h) */
+    struct list springs, motions; /* struct spring, hobe_motion */
+    struct list gravities;        /* struct gravity, with a history */
+    struct list ties;             /* struct tie (constraint.h), of corners, bodies and joints */
     double gravity[3];
     const char *gravity_where;
     struct hobe_spin spin; /* with a unit axis */
@@ -93,7 +95,7 @@ struct hobe_model {
     enum hobe_status failed; /* a failed build is not tried again */
     struct hobe_error loose; /* what is free to move, where something is: its status is not 0 */
     long beam_vectors;       /* those of the beams */
-    long moving;             /* all that move: those before the multipliers */
+    long moving;             /* and those of bodies behind them: all before the multipliers */
     long vectors;            /* and the blocks of multipliers behind them */
     long *alias, *unknown;   /* [vectors] */
     unsigned char *held;     /* [vectors] */

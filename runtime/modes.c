@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "modes.h"
 
+#include "body.h"
+
 #include "solution.h"
 
 #include <string.h>
@@ -127,4 +129,21 @@ enum hobe_status hobe_modes_point(const hobe_modes *modes, int i, const char *be
                                   double y, double z, double u[3], struct hobe_error *err)
 {
     return modes_displacement(modes, i, beam, at, y, z, NULL, u, err);
+}
+
+enum hobe_status hobe_modes_body(const hobe_modes *modes, int i, const char *name,
+                                 const double point[3], double u[3], double quadrature[3],
+                                 struct hobe_error *err)
+{
+    double r0[3];
+    const double *shape = modes_shape(modes, i, err);
+    const struct body *body = shape ? solution_find_body(modes->model, name, err) : NULL;
+    if (!body)
+        return shape ? HOBE_UNKNOWN : HOBE_BAD_INPUT;
+    body_displacement(body, shape, point, r0, u);
+    for (int a = 0; a < 3; a++)
+        quadrature[a] = 0;
+    if (modes->quadrature)
+        body_displacement(body, modes->quadrature + (shape - modes->shape), point, r0, quadrature);
+    return HOBE_OK;
 }

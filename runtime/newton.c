@@ -20,6 +20,7 @@
 enum {
     DEFAULT_ITERATIONS = 30,
     EASY_ITERATIONS = 8, /* a step that needs no more lets the next one grow */
+    MOST_SERIES = 10000, /* to the full load */
     LINE_SEARCH_CUTS = 12
 };
 
@@ -97,6 +98,23 @@ static double work_of(const struct solver *s)
     return sum;
 }
 
+/* K += factor M */
+static void add_mass(const struct solver *s, double factor, const struct matrix *K)
+{
+    if (s->mass.value && s->mass.layout == K->layout)
+        pattern_add(s->model, factor, &s->mass, K);
+    else
+        mass_matrix(s->model, factor, K);
+}
+
+enum hobe_status solver_keep_mass(struct solver *s, struct hobe_error *err)
+{
+    const enum hobe_status status = pattern_matrix(s->model, s->K.layout, &s->mass, err);
+    if (!status)
+        mass_matrix(s->model, 1, &s->mass);
+    return status;
+}
+
 static void evaluate(struct solver *s, double factor, const struct matrix *K)
 {
     const struct motion *m = &s->motion;
@@ -113,7 +131,7 @@ static void evaluate(struct solver *s, double factor, const struct matrix *K)
     for (long i = 0; m->force && i < 3 * s->model->moving; i++)
         s->r[i] += m->force[i];
     if (K && (m->inertia > 0 || m->mass_alone))
-        mass_matrix(s->model, m->mass_alone ? 1 : m->inertia, K);
+        add_mass(s, m->mass_alone ? 1 : m->inertia, K);
 }
 
 void solver_evaluate(struct solver *s, double factor, enum tangent tangent)
@@ -375,6 +393,47 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
     return HOBE_OK;
 }
 
+/* ---- a start from another solution ----------------------------------------------------------- */
+
+/* Whether the states of both models have the same unknowns. */
+static int same_shape(const hobe_model *a, const hobe_model *b)
+{
+    const size_t size = (size_t)a->vectors * sizeof *a->unknown;
+    return a->vectors == b->vectors && a->beam_vectors == b->beam_vectors &&
+           a->unknowns == b->unknowns && !memcmp(a->alias, b->alias, size) &&
+           !memcmp(a->unknown, b->unknown, size);
+}
+
+/* Newton at the full load from the start that is given, in one step; FAILED leaves the reference.
+ */
+static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
+{
+    const hobe_solution *start = s->options.start;
+    const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
+    if (!same_shape(s->model, start->model)) {
+        hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                  "start must be a result of this scene or of one of the same shape (the same "
+                  "elements, joins and supports in the same order): it has %ld unknowns, here are "
+                  "%ld",
+                  3 * start->model->unknowns, 3 * s->model->unknowns);
+        return ERROR;
+    }
+    memcpy(s->u, start->u, size);
+    memcpy(s->start, s->u, size);
+    s->now.step = 1;
+    const enum outcome outcome = attempt(s, 1, err);
+    if (outcome == CONVERGED) {
+        s->info.steps = 1;
+        s->info.load = 1;
+    } else {
+        s->info.cutbacks++;
+        memset(s->u, 0, size);
+    }
+    return outcome;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------- */
+
 /* D = diag(K)^(-1/2) and the norm of the load, both at the reference. */
 static void set_scale(struct solver *s)
 {
@@ -418,6 +477,7 @@ void solver_close(struct solver *s)
     hobe_free(s->r);
     hobe_free(s->K.value);
     hobe_free(s->pivoting.value);
+    hobe_free(s->mass.value);
     hobe_free(s->x);
     hobe_free(s->scale);
 }
@@ -455,6 +515,38 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
     return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
 }
 
+/* The end of the path to the full load. */
+static enum hobe_status follow_series(hobe_model *model, const struct hobe_newton *options,
+                                      hobe_solution **solution, struct hobe_error *err)
+{
+    const struct hobe_path_options along = {
+        .newton = *options, .steps = MOST_SERIES, .smallest_arc = options->smallest_step};
+    struct hobe_path_info info;
+    hobe_path *path;
+    enum hobe_status status = hobe_path_follow(model, &along, &path, err);
+    if (status)
+        return status;
+    hobe_path_info(path, &info);
+    if (info.end == HOBE_PATH_LOAD)
+        *solution = hobe_path_take(path, info.points - 1);
+    else
+        status = hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
+                           "the path to the full load does not come to it in %d series; look where "
+                           "it goes with hobe.path",
+                           info.points);
+    hobe_path_free(path);
+    return status;
+}
+
+/* Equilibrium at the full load, in s->u. */
+static enum hobe_status find(struct solver *s, struct hobe_error *err)
+{
+    const enum outcome outcome = s->options.start ? attempt_start(s, err) : FAILED;
+    if (outcome == ERROR)
+        return err ? err->status : HOBE_NO_MEMORY;
+    return outcome == CONVERGED ? HOBE_OK : run_steps(s, err);
+}
+
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err)
 {
@@ -467,11 +559,14 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
         return status;
     const double started = hobe_seconds();
     status = solver_open(&s, model, options, err);
-    if (!status && s.load_norm > 0)
-        status = run_steps(&s, err);
+    const int loaded = !status && s.load_norm > 0;
+    if (loaded && options->method == HOBE_METHOD_SERIES)
+        status = follow_series(model, &s.options, solution, err);
+    else if (loaded)
+        status = find(&s, err);
     else
         s.info.load = s.info.smallest_volume = 1; /* no load: the reference is the answer */
-    if (!status) {
+    if (!status && !*solution) {
         *solution = solver_take(&s, started, err);
         status = *solution ? HOBE_OK : HOBE_NO_MEMORY;
     }

@@ -31,6 +31,7 @@ struct solver {
     double *turned;  /* [vectors][3] state of the last tangent */
     double *step;    /* [vectors][3] from the tangent before, where this one expects it */
     int expecting;
+    struct matrix mass;     /* M, where it is needed often (solver_keep_mass) */
     struct matrix pivoting; /* the tangent once more where fronts need it, in columns */
     enum layout factored;   /* whose factors are the last */
     double *x;              /* [unknowns] right-hand side and correction */
@@ -51,6 +52,9 @@ void solver_close(struct solver *s);
 
 /* Lays the tangent out in columns from now on, for what is not symmetric. */
 enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err);
+
+/* Keeps M in the layout of the tangent, to which motion adds it again and again. */
+enum hobe_status solver_keep_mass(struct solver *s, struct hobe_error *err);
 
 /* One line of the log, with a note. */
 void solver_log(struct solver *s, const char *note);

@@ -2,6 +2,7 @@
 /* Which vectors a model has, which of them are held, and the numbers of the others. */
 #include "numbering.h"
 
+#include "body.h"
 #include "constraint.h"
 #include "element.h"
 #include "joint.h"
@@ -10,8 +11,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Beams in the order added, then a block of multipliers for every join and two for every joint:
- * more than enough. */
+/* Beams in the order added, then bodies, then a block of multipliers for every join, two for every
+ * body and three for every joint: more than enough. */
 static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *err)
 {
     model->vectors = 0;
@@ -20,8 +21,14 @@ static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *e
         beam->first = model->vectors;
         model->vectors += (long)beam->step * (beam->spec.elements - 1) + beam->kernel->vectors;
     }
-    model->beam_vectors = model->moving = model->vectors;
-    const size_t n = (size_t)model->vectors + model->joins.count + 2 * model->joints.count;
+    model->beam_vectors = model->vectors;
+    for (size_t i = 0; i < model->bodies.count; i++) {
+        model_body(model, i)->first = model->vectors;
+        model->vectors += BODY_VECTORS;
+    }
+    model->moving = model->vectors;
+    const size_t n = (size_t)model->vectors + model->joins.count + 2 * model->bodies.count +
+                     3 * model->joints.count;
     model->alias = hobe_alloc(n, sizeof *model->alias, err);
     model->unknown = hobe_alloc(n, sizeof *model->unknown, err);
     model->held = hobe_alloc(n, sizeof *model->held, err);
@@ -151,10 +158,11 @@ static size_t group_of(const size_t *group, size_t i)
     return i;
 }
 
-/* Beams that share a vector are one group: group[i] leads to the same root for all of them. */
-static void group_beams(const hobe_model *model, size_t *group)
+/* Beams that share a vector are one group: group[i] leads to the same root for all of them; bodies,
+ * behind the beams, are groups of their own. */
+static void group_parts(const hobe_model *model, size_t *group)
 {
-    for (size_t i = 0; i < model->beams.count; i++)
+    for (size_t i = 0; i < model->beams.count + model->bodies.count; i++)
         group[i] = i;
     for (long v = 0; v < model->beam_vectors; v++)
         if (model->alias[v] != v)
@@ -166,13 +174,13 @@ static void group_beams(const hobe_model *model, size_t *group)
  * is free may move in time, and is only remembered. */
 static enum hobe_status check_held(hobe_model *model, struct hobe_error *err)
 {
-    const size_t n = model->beams.count;
+    const size_t n = model->beams.count + model->bodies.count;
     size_t *group = hobe_alloc(n, sizeof *group, &model->loose);
     unsigned char *clamped =
         hobe_alloc(n, 1, &model->loose); /* for each root, whether its group has a clamp */
     enum hobe_status status = group && clamped ? HOBE_OK : HOBE_NO_MEMORY;
     if (!status)
-        group_beams(model, group);
+        group_parts(model, group);
     for (size_t c = 0; !status && c < model->clamps.count; c++) {
         const char *name = ((const struct hobe_clamp *)model->clamps.item)[c].beam;
         const struct beam *beam = model_find_beam(model, name, NULL, NULL);
@@ -200,7 +208,9 @@ enum hobe_status number_model(hobe_model *model, struct hobe_error *err)
     if (!status)
         status = join_beams(model, err);
     if (!status)
-        status = joint_beams(model, err);
+        status = body_ties(model, err);
+    if (!status)
+        status = joint_parts(model, err);
     if (!status)
         status = spring_build(model, err);
     if (!status)

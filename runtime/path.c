@@ -9,13 +9,21 @@
  * q'W q there.  The end of a path is one more plane: at a load, or at a displacement.
  *
  * The next tangent is +-(q, 1) on the side of the last one: it goes on through limit points, and
- * straight over bifurcations.  Both show in the number of negative eigenvalues. */
+ * straight over bifurcations.  Both show in the number of negative eigenvalues.
+ *
+ * By series (series.h) a step goes along the path itself, as far as its power series is good, and
+ * at most to the end of the path or past one limit point.  The same plane and iteration correct
+ * what the series has left open. */
 #include "drive.h"
+#include "inertia.h"
 #include "load.h"
 #include "newton.h"
+#include "series.h"
 #include "solution.h"
+#include "taylor.h"
 #include "vector3.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,6 +35,12 @@ static const double DEFAULT_ARC = 0.05, DEFAULT_SMALLEST = 1e-4, DEFAULT_TO = 1;
 
 /* The tangent may turn by acos of this in a step: 45 degrees. */
 static const double LEAST_COSINE = 0.7;
+
+/* The last term of a series over its first, where it is left. */
+static const double LAST_TERM = 1e-6;
+
+/* Parts of a step by series in which a root of a polynomial is looked for by its sign. */
+enum { PARTS = 64 };
 
 struct hobe_path {
     struct hobe_path_info info;
@@ -48,10 +62,17 @@ struct follower {
     double *v, kappa;           /* [n] the tangent at the last point */
     double *force;              /* [vectors][3] Q */
     double lambda, last_lambda; /* now, and at the last point, whose state is s.start */
-    struct plane step, reach;
+    struct plane step, reach, load;
+    struct series series;
     int symmetric, turned; /* no follower forces; the load turned on the last step */
+    double extreme;        /* the load there */
     double started;
 };
+
+static int by_series(const struct follower *f)
+{
+    return f->options.newton.method == HOBE_METHOD_SERIES;
+}
 
 /* c.u over the unknowns */
 static double along(const struct follower *f, const double *c, const double *u)
@@ -139,12 +160,12 @@ static enum outcome count_and_factor(struct follower *f, struct hobe_error *err)
     return outcome;
 }
 
-/* The norm of the tangent (q, 1). */
-static double tangent_length(const struct follower *f)
+/* |(v, kappa)| */
+static double length_of(const struct follower *f, const double *v, double kappa)
 {
-    double sum = 1;
+    double sum = kappa * kappa;
     for (long i = 0; i < f->n; i++)
-        sum += f->W[i] * f->q[i] * f->q[i];
+        sum += f->W[i] * v[i] * v[i];
     return sqrt(sum);
 }
 
@@ -154,7 +175,7 @@ static enum outcome turn_tangent(struct follower *f, struct hobe_error *err)
 {
     if (solve_load(f, err))
         return ERROR;
-    const double length = tangent_length(f);
+    const double length = length_of(f, f->q, 1);
     double cosine = f->kappa;
     for (long i = 0; i < f->n; i++)
         cosine += f->W[i] * f->q[i] * f->v[i];
@@ -163,11 +184,9 @@ static enum outcome turn_tangent(struct follower *f, struct hobe_error *err)
         solver_log(&f->s, "the path turns too far");
         return FAILED;
     }
-    const double kappa = copysign(1 / length, cosine);
-    f->turned = kappa * f->kappa < 0;
-    f->kappa = kappa;
+    f->kappa = copysign(1 / length, cosine);
     for (long i = 0; i < f->n; i++)
-        f->v[i] = kappa * f->q[i];
+        f->v[i] = f->kappa * f->q[i];
     return CONVERGED;
 }
 
@@ -219,8 +238,9 @@ static enum hobe_status find_events(struct follower *f, int before_negative, dou
                                     .change = change,
                                     .load = {f->last_lambda, f->lambda}};
     const double slope[2] = {before_kappa, f->kappa};
+    f->turned = before_kappa * f->kappa < 0;
     if (f->turned) {
-        event.extreme = extreme_load(event.load, slope, travelled(f));
+        event.extreme = by_series(f) ? f->extreme : extreme_load(event.load, slope, travelled(f));
         if (add_event(f, event, err))
             return HOBE_NO_MEMORY;
     }
@@ -263,17 +283,23 @@ static enum hobe_status keep_point(struct follower *f, struct hobe_error *err)
     return *to ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
-/* The plane normal to the tangent at the end of a step, where the state is moved. */
-static void predict(struct follower *f, double arc)
+/* f->step = the plane normal to the tangent at the current state. */
+static void set_plane(struct follower *f)
 {
     struct plane *p = &f->step;
     for (long i = 0; i < f->n; i++)
         p->c[i] = f->W[i] * f->v[i];
     p->kappa = f->kappa;
-    solver_move(&f->s, f->v, arc);
-    f->lambda += arc * f->kappa;
     p->value = 0;
     p->value = distance(f, p, f->s.u, f->lambda);
+}
+
+/* Moves along the tangent. */
+static void predict(struct follower *f, double arc)
+{
+    solver_move(&f->s, f->v, arc);
+    f->lambda += arc * f->kappa;
+    set_plane(f);
 }
 
 /* Where the step from the last state passes an end of the path: the point on it. */
@@ -294,17 +320,121 @@ static enum outcome stop_at(struct follower *f, const struct plane *end, struct 
 /* Looks for the ends of the path: CONVERGED at one of them. */
 static enum outcome stop(struct follower *f, struct hobe_error *err)
 {
-    const struct plane load = {NULL, 1, f->options.to};
     enum outcome outcome = GOING_ON;
     if (f->reach.c) {
         outcome = stop_at(f, &f->reach, err);
         f->path->info.end = HOBE_PATH_DISPLACEMENT;
     }
     if (outcome == GOING_ON) {
-        outcome = stop_at(f, &load, err);
+        outcome = stop_at(f, &f->load, err);
         f->path->info.end = HOBE_PATH_LOAD;
     }
     return outcome;
+}
+
+/* ---- steps by series ------------------------------------------------------------------------- */
+
+/* The coefficients of the distance from a plane. */
+static void distance_series(const struct follower *f, const struct plane *p, taylor sum)
+{
+    for (int k = 0; k <= SERIES_ORDER; k++)
+        sum[k] = distance(f, p, f->series.u[k], f->series.lambda[k]) + (k > 0 ? p->value : 0);
+}
+
+static double value_of(const taylor p, double a)
+{
+    double sum = p[SERIES_ORDER];
+    for (int k = SERIES_ORDER - 1; k >= 0; k--)
+        sum = sum * a + p[k];
+    return sum;
+}
+
+/* The first a in (from, to] where p changes its sign; 0 where it does not. */
+static double first_root(const taylor p, double from, double to)
+{
+    for (int part = 0; part < PARTS; part++) {
+        double low = from + (to - from) * part / PARTS;
+        double high = from + (to - from) * (part + 1) / PARTS;
+        const double sign = value_of(p, low);
+        if (sign == 0 || !(sign * value_of(p, high) <= 0))
+            continue;
+        for (int halving = 0; halving < DBL_MANT_DIG; halving++) {
+            const double middle = (low + high) / 2;
+            if (sign * value_of(p, middle) > 0)
+                low = middle;
+            else
+                high = middle;
+        }
+        return high;
+    }
+    return 0;
+}
+
+/* How far to go, at most `arc`: past one limit point, whose load it notes, and not on to a second
+ * one. */
+static double pass_limit(struct follower *f, double arc)
+{
+    const double *lambda = f->series.lambda;
+    taylor slope = {0};
+    for (int k = 1; k <= SERIES_ORDER; k++)
+        slope[k - 1] = k * lambda[k];
+    const double first = first_root(slope, 0, arc);
+    if (first == 0)
+        return arc;
+    f->extreme = value_of(lambda, first);
+    const double second = first_root(slope, first + (arc - first) / PARTS, arc);
+    return second > 0 ? (first + second) / 2 : arc;
+}
+
+/* The root of an end of the path within `arc`, where that becomes the plane; else arc. */
+static double shorten(const struct follower *f, const struct plane *end, double arc,
+                      const struct plane **plane)
+{
+    taylor to;
+    distance_series(f, end, to);
+    const double root = first_root(to, 0, arc);
+    if (root > 0)
+        *plane = end;
+    return root > 0 ? root : arc;
+}
+
+/* Moves along the series; the plane normal to it there, or that of an end of the path. */
+static const struct plane *predict_by_series(struct follower *f, double arc)
+{
+    const struct plane *plane = &f->step;
+    arc = pass_limit(f, arc);
+    if (f->reach.c)
+        arc = shorten(f, &f->reach, arc, &plane);
+    arc = shorten(f, &f->load, arc, &plane);
+    f->path->info.end = plane == &f->load ? HOBE_PATH_LOAD : HOBE_PATH_DISPLACEMENT;
+    f->lambda = series_move(&f->series, arc);
+    f->kappa = series_slope(&f->series, arc, f->v);
+    const double length = length_of(f, f->v, f->kappa);
+    f->kappa /= length;
+    for (long i = 0; i < f->n; i++)
+        f->v[i] /= length;
+    set_plane(f);
+    return plane;
+}
+
+/* ---- one step -------------------------------------------------------------------------------- */
+
+static enum outcome step_by_series(struct follower *f, double arc, int *ended,
+                                   struct hobe_error *err)
+{
+    const struct plane *plane = predict_by_series(f, arc);
+    *ended = plane != &f->step;
+    return iterate(f, plane, err);
+}
+
+static enum outcome step_along_tangent(struct follower *f, double arc, int *ended,
+                                       struct hobe_error *err)
+{
+    predict(f, arc);
+    const enum outcome outcome = iterate(f, &f->step, err);
+    const enum outcome stopped = outcome == CONVERGED ? stop(f, err) : outcome;
+    *ended = stopped == CONVERGED && outcome == CONVERGED;
+    return stopped == FAILED || stopped == ERROR ? stopped : outcome;
 }
 
 /* One step of a length from the last point; FAILED leaves that in place.  *ended where it came to
@@ -314,12 +444,8 @@ static enum outcome attempt(struct follower *f, double arc, int *ended, struct h
     struct solver *s = &f->s;
     const int negative = s->info.negative;
     const double kappa = f->kappa;
-    predict(f, arc);
-    enum outcome outcome = iterate(f, &f->step, err);
-    const enum outcome stopped = outcome == CONVERGED ? stop(f, err) : outcome;
-    *ended = stopped == CONVERGED && outcome == CONVERGED;
-    if (stopped == FAILED || stopped == ERROR)
-        outcome = stopped;
+    enum outcome outcome =
+        by_series(f) ? step_by_series(f, arc, ended, err) : step_along_tangent(f, arc, ended, err);
     if (outcome == CONVERGED)
         outcome = count_and_factor(f, err);
     if (outcome == CONVERGED)
@@ -330,6 +456,7 @@ static enum outcome attempt(struct follower *f, double arc, int *ended, struct h
         s->reason = s->now.note;
         s->info.negative = negative;
         f->lambda = f->last_lambda;
+        f->kappa = kappa;
         memcpy(s->u, s->start, (size_t)(3 * s->model->vectors) * sizeof *s->u);
     }
     return outcome;
@@ -344,13 +471,28 @@ static enum hobe_status give_up(const struct follower *f, double arc, struct hob
                      f->lambda, (int)f->path->points.count, f->s.reason, f->s.now.residual, arc);
 }
 
+/* The longest step from a new point; by series, how far that is good. */
+static enum hobe_status expand(struct follower *f, double *longest, struct hobe_error *err)
+{
+    *longest = f->options.arc;
+    if (!by_series(f))
+        return HOBE_OK;
+    for (long i = 0; i < f->n; i++)
+        f->step.c[i] = f->W[i] * f->v[i];
+    const enum hobe_status status = series_expand(&f->series, f->lambda, f->step.c, f->kappa, err);
+    if (!status)
+        *longest = fmin(*longest, series_range(&f->series, LAST_TERM));
+    return status;
+}
+
 static enum hobe_status run_steps(struct follower *f, struct hobe_error *err)
 {
     struct solver *s = &f->s;
-    const double longest = f->options.arc;
-    double arc = longest;
+    double longest, arc;
     int ended = 0;
-    while (!ended && (int)f->path->points.count < f->options.steps) {
+    enum hobe_status status = expand(f, &longest, err);
+    arc = longest;
+    while (!status && !ended && (int)f->path->points.count < f->options.steps) {
         const int before = s->info.iterations;
         s->now.step = (int)f->path->points.count + 1;
         f->last_lambda = f->lambda;
@@ -365,12 +507,16 @@ static enum hobe_status run_steps(struct follower *f, struct hobe_error *err)
             ended = 0;
             s->info.cutbacks++;
             solver_log(s, "step cut back");
-        } else if (s->info.iterations - before <= EASY_ITERATIONS)
-            arc = fmin(2 * arc, longest);
+            continue;
+        }
+        if (!ended)
+            status = expand(f, &longest, err);
+        if (by_series(f) || s->info.iterations - before <= EASY_ITERATIONS)
+            arc = fmin(by_series(f) ? longest : 2 * arc, longest);
     }
     if (!ended)
         f->path->info.end = HOBE_PATH_STEPS;
-    return HOBE_OK;
+    return status;
 }
 
 /* ---- the beginning --------------------------------------------------------------------------- */
@@ -401,7 +547,7 @@ static enum hobe_status start(struct follower *f, struct hobe_error *err)
         c += f->W[i] * f->q[i] * f->q[i];
     for (long i = 0; i < f->n; i++)
         f->W[i] /= c;
-    f->kappa = copysign(1 / tangent_length(f), f->options.to);
+    f->kappa = copysign(1 / length_of(f, f->q, 1), f->options.to);
     for (long i = 0; i < f->n; i++)
         f->v[i] = f->kappa * f->q[i];
     return HOBE_OK;
@@ -448,7 +594,9 @@ static enum hobe_status open_follower(struct follower *f, hobe_model *model, str
     if (!f->W || !f->q || !f->v || !f->step.c || !f->force || !f->path)
         return HOBE_NO_MEMORY;
     f->symmetric = !load_follower(model);
-    return open_reach(f, err);
+    f->load = (struct plane){NULL, 1, f->options.to};
+    status = open_reach(f, err);
+    return status || !by_series(f) ? status : series_open(&f->series, &f->s, err);
 }
 
 static void close_follower(struct follower *f)
@@ -460,6 +608,7 @@ static void close_follower(struct follower *f)
     hobe_free(f->step.c);
     hobe_free(f->reach.c);
     hobe_free(f->force);
+    series_close(&f->series);
 }
 
 static void set_defaults(struct hobe_path_options *o)
@@ -467,7 +616,7 @@ static void set_defaults(struct hobe_path_options *o)
     if (o->steps <= 0)
         o->steps = DEFAULT_STEPS;
     if (!(o->arc > 0))
-        o->arc = DEFAULT_ARC;
+        o->arc = o->newton.method == HOBE_METHOD_SERIES ? INFINITY : DEFAULT_ARC;
     if (!(o->smallest_arc > 0))
         o->smallest_arc = DEFAULT_SMALLEST;
     if (o->to == 0)
@@ -499,6 +648,7 @@ enum hobe_status hobe_path_follow(hobe_model *model, const struct hobe_path_opti
         f.path->info.events = (int)f.path->events.count;
         f.path->info.iterations = f.s.info.iterations;
         f.path->info.cutbacks = f.s.info.cutbacks;
+        f.path->info.factorisations = f.s.info.factorisations;
         f.path->info.seconds = hobe_seconds() - f.started;
     }
     close_follower(&f);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pattern.h"
 
+#include "body.h"
 #include "constraint.h"
 #include "load.h"
 #include "spring.h"
@@ -298,23 +299,35 @@ void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double 
         }
 }
 
+void pattern_add(const struct hobe_model *model, double factor, const struct matrix *B,
+                 const struct matrix *A)
+{
+    const size_t size = values(model, A->layout);
+    for (size_t i = 0; i < size; i++)
+        A->value[i] += factor * B->value[i];
+}
+
+/* Of the diagonals, 0 where they are. */
 static void scale_columns(const struct pattern *p, const double *Ax, double *scale)
 {
-    for (long j = 0; j < 3 * p->blocks; j++)
+    for (long j = 0; j < 3 * p->blocks; j++) {
         scale[j] = 0;
-    for (int multipliers = 0; multipliers < 2; multipliers++)
-        for (long j = 0; j < 3 * p->blocks; j++) {
-            double diagonal = 0, largest = 0;
-            for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++) {
-                if (p->Ai[k] == j)
-                    diagonal = fabs(Ax[k]);
-                largest = fmax(largest, scale[p->Ai[k]] * fabs(Ax[k]));
-            }
-            if (!multipliers && diagonal > 0)
-                scale[j] = 1 / sqrt(diagonal);
-            else if (multipliers && diagonal == 0)
-                scale[j] = largest > 0 ? 1 / largest : 1;
-        }
+        for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++)
+            if (p->Ai[k] == j && Ax[k] != 0)
+                scale[j] = 1 / sqrt(fabs(Ax[k]));
+    }
+}
+
+/* And of the rows without one, by the scale of the others. */
+static void scale_border(const struct pattern *p, const double *Ax, double *scale)
+{
+    for (long j = 0; j < 3 * p->blocks; j++) {
+        double largest = 0;
+        for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++)
+            largest = fmax(largest, scale[p->Ai[k]] * fabs(Ax[k]));
+        if (scale[j] == 0)
+            scale[j] = largest > 0 ? 1 / largest : 1;
+    }
 }
 
 void pattern_scale(const struct hobe_model *model, const struct matrix *A, double *scale)
@@ -323,4 +336,9 @@ void pattern_scale(const struct hobe_model *model, const struct matrix *A, doubl
         fronts_scale(model->fronts, A->value, scale);
     else
         scale_columns(&model->pattern, A->value, scale);
+    body_scale(model, scale);
+    if (A->layout == FRONTS)
+        fronts_scale_border(model->fronts, A->value, scale);
+    else
+        scale_border(&model->pattern, A->value, scale);
 }

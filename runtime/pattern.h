@@ -17,6 +17,10 @@ enum hobe_status pattern_matrix(const struct hobe_model *model, enum layout layo
                                 struct matrix *matrix, struct hobe_error *err);
 void pattern_clear(const struct hobe_model *model, const struct matrix *matrix);
 
+/* A += factor B, of one layout. */
+void pattern_add(const struct hobe_model *model, double factor, const struct matrix *B,
+                 const struct matrix *A);
+
 /* fronts = a symmetric matrix whose values in columns are Ax. */
 void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double *fronts);
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Position, strain and rotation anywhere in a beam. */
+/* Position, strain and rotation anywhere in a beam, and of bodies. */
 #include "solution.h"
 
 #include "around.h"
+#include "body.h"
 #include "element.h"
 #include "vector3.h"
 
@@ -205,6 +206,15 @@ enum hobe_status hobe_solution_velocity(const hobe_solution *solution, const cha
     return status;
 }
 
+const struct body *solution_find_body(const hobe_model *model, const char *name,
+                                      struct hobe_error *err)
+{
+    const struct body *body = model_find_body(model, name);
+    if (!body)
+        hobe_fail(err, HOBE_UNKNOWN, NULL, "there is no body \"%s\" in the scene", name);
+    return body;
+}
+
 /* Angle of r_z on the axis about the section's X in the reference, between -pi and pi. */
 static double turned(const struct around *p, const double F[3][3])
 {
@@ -240,6 +250,30 @@ enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *
         point->r[a] = point->r0[a] + point->u[a];
     point->twist = turned(&p, (const double(*)[3])axis);
     section_rotation((const double(*)[3])axis, (const double(*)[3])p.frame, point->rotation);
+    return HOBE_OK;
+}
+
+enum hobe_status hobe_solution_body(const hobe_solution *solution, const char *name,
+                                    const double point[3], struct hobe_body_point *is,
+                                    struct hobe_error *err)
+{
+    const struct body *body = solution_find_body(solution->model, name, err);
+    double R[3][3];
+    if (!body)
+        return HOBE_UNKNOWN;
+    *is = (struct hobe_body_point){.r = {0}};
+    body_displacement(body, solution->u, point, is->r0, is->u);
+    if (solution->v) {
+        body_displacement(body, solution->v, point, is->r0, is->velocity);
+        body_displacement(body, solution->w, point, is->r0, is->acceleration);
+        body_turn(body, solution->u, solution->v, is->angular_velocity);
+    }
+    for (int a = 0; a < 3; a++) {
+        is->r[a] = is->r0[a] + is->u[a];
+        for (int i = 0; i < 3; i++)
+            R[a][i] = (a == i) + solution->u[3 * (body->first + 1 + i) + a];
+    }
+    rotation_vector((const double(*)[3])R, is->rotation);
     return HOBE_OK;
 }
 

@@ -71,7 +71,7 @@ static enum hobe_status factor_mass(struct genalpha *g, struct hobe_error *err)
     s->motion = (struct motion){.instant = {g->now.time, g->now.v, 0, 0}, .mass_alone = 1};
     solver_evaluate(s, 1, TRUE_TANGENT);
     pattern_scale(s->model, &s->K, s->scale);
-    g->factored = 0;
+    genalpha_forget(g);
     const enum hobe_status failed = model_failure(s->model, err);
     if (failed)
         return failed;

@@ -37,6 +37,10 @@ enum hobe_status solution_displacement(const hobe_model *model, const double *ve
                                        const char *beam, double at, double y, double z,
                                        double r0[3], double u[3], struct hobe_error *err);
 
+/* The body called name; NULL with err where there is none. */
+const struct body *solution_find_body(const hobe_model *model, const char *name,
+                                      struct hobe_error *err);
+
 /* The model that vibrates, and hobe_modes_point with the place in the reference (modal.c). */
 const hobe_model *modes_model(const hobe_modes *modes);
 enum hobe_status modes_displacement(const hobe_modes *modes, int i, const char *beam, double at,

@@ -69,7 +69,7 @@ enum hobe_status spring_check(const struct hobe_spring *s, struct hobe_error *er
 static void measure_angle(struct spring *s)
 {
     double t[3][3], a[2][3], b[2][3];
-    joint_triad(s->spec.axis, t);
+    triad3(s->spec.axis, t);
     for (int k = 0; k < 2; k++) {
         joint_direction(s->tie.side, t[1 + k], a[k]);
         joint_direction(s->tie.side + 1, t[1 + k], b[k]);
@@ -106,8 +106,12 @@ static enum hobe_status open_spring(struct hobe_model *model, struct spring *s,
     const char *other = spec->beam[1] ? spec->beam[1] : "the ground";
     double gap[3];
     int apart;
-    const enum hobe_status status = joint_places(model, spec->beam, spec->at, spec->to, spec->where,
-                                                 s->tie.side, gap, &apart, err);
+    struct hobe_joint places = {.where = spec->where, .at_point = spec->at_point};
+    memcpy(places.beam, spec->beam, sizeof places.beam);
+    memcpy(places.at, spec->at, sizeof places.at);
+    memcpy(places.to, spec->to, sizeof places.to);
+    memcpy(places.point, spec->point, sizeof places.point);
+    const enum hobe_status status = joint_places(model, &places, s->tie.side, gap, &apart, err);
     if (status)
         return status;
     if (spec->kind == HOBE_SPRING_LENGTH && !apart)

@@ -30,4 +30,28 @@ static inline void cross3(const double a[3], const double b[3], double c[3])
         c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
+/* B = factor A */
+static inline void times3(double factor, const double A[3][3], double B[3][3])
+{
+    for (int i = 0; i < 9; i++)
+        B[i / 3][i % 3] = factor * A[i / 3][i % 3];
+}
+
+/* t[0] = axis/|axis| and two more that make a right-handed triad with it, rows. */
+static inline void triad3(const double axis[3], double t[3][3])
+{
+    const double length = length3(axis);
+    int least = 0;
+    for (int a = 0; a < 3; a++) {
+        t[0][a] = axis[a] / length;
+        least = fabs(axis[a]) < fabs(axis[least]) ? a : least;
+    }
+    const double other[3] = {least == 0, least == 1, least == 2};
+    cross3(t[0], other, t[1]);
+    const double across = length3(t[1]);
+    for (int a = 0; a < 3; a++)
+        t[1][a] /= across;
+    cross3(t[0], t[1], t[2]);
+}
+
 #endif

@@ -13,7 +13,7 @@ import re
 from fractions import Fraction
 from types import SimpleNamespace
 
-from generator.ir import Do, For, If, Let, Note
+from generator.ir import FUNCTIONS, Do, For, If, Let, Note, python
 
 
 class Lane:
@@ -46,6 +46,9 @@ class Pointer:
     def __add__(self, step):
         return Pointer(self.array, self.place + step)
 
+    def __sub__(self, step):
+        return self + -step
+
     def __getitem__(self, index):
         assert self.place + index >= 0
         return self.array[self.place + index]
@@ -65,9 +68,9 @@ class Machine:
 
     def __init__(self, functions, tables):
         self.names = {
-            **tables, "zero": Lane(0), "HOBE_PARTS": 1, "hobe_pair": pair, "empty": empty,
-            "Fraction": Fraction, "hobe_root": root, "array": lambda *values: Pointer(list(values)),
-            "symmetric": lambda i, j: pair(max(i, j), min(i, j)),
+            **FUNCTIONS, **tables, "zero": Lane(0), "HOBE_PARTS": 1, "hobe_pair": pair,
+            "empty": empty, "Fraction": Fraction, "hobe_root": root,
+            "array": lambda *values: Pointer(list(values)),
         }
         for function in functions:
             exec("\n".join(_python(function)), self.names)
@@ -125,26 +128,33 @@ def _block(body, depth):
 
 
 def _integer(text):
-    return text.replace("&&", "and").replace("->", ".").replace("/", "//")
+    return python(text).replace("->", ".").replace("/", "//")
 
 
 def _statement(text):
     """C declarations, assignments and calls as Python."""
-    text = text.replace("->", ".").replace("0.5", "Fraction(1, 2)").rstrip(";")
+    text = " ".join(text.split()).replace("->", ".").replace("0.5", "Fraction(1, 2)").rstrip(";")
     declared = re.match(r"(const )?(double|hobe_real|int) ", text)
     if not declared:
         return [text]
     lines = []
     for item in _split(text[declared.end():]):
         name, size, value = re.fullmatch(r"\*?(\w+)(?:\[(.*?)\])?(?: = (.*))?", item).groups()
-        if value and (choice := re.fullmatch(r"(.*) \? (.*) : NULL", value)):
-            value = f"{choice[2]} if {choice[1]} else None"  # a pointer that may be missing
+        if value:
+            value = _choice(value)
         if size and not value:
             value = f"empty({size})"
         elif size:
             value = f"array({value.strip('{}')})"
         lines.append(f"{name} = {value}")
     return lines
+
+
+def _choice(value):
+    """The operator ?:, which may be nested in its last place."""
+    if choice := re.fullmatch(r"(.*?) \? (.*?) : (.*)", value):
+        return f"({choice[2]}) if {choice[1]} else ({_choice(choice[3])})"
+    return value
 
 
 def _split(text):

@@ -7,7 +7,7 @@ from fractions import Fraction
 from random import Random
 
 from declare import HEAD, PLANE, Case, c_text, shipped
-from generator import plan, structural, tensor
+from generator import plan, products, section, structural, tensor
 from generator.shape import derivative
 from generator.ir import Counter, Do, For, Function, If, Let, Note, loop, operations
 from interpret import Machine, Pointer, empty, lanes, structure, values
@@ -70,24 +70,102 @@ class State:
         self.vectors = element.declaration.vectors
         v, normals, shears = (self.size[k] for k in ("V", "NN", "NS"))
         self.position = [int(vector.mode == 0 and not vector.slope) for vector in self.vectors]
-        self.machine = Machine(plan.functions(element.declaration.form), {
-            **self.size, "mode": [vector.mode for vector in self.vectors],
-            "position": self.position})
+        self.continuum = element.declaration.form == "continuum"
+        names = plan.tables(element)
+        if self.continuum:
+            self.layout, self.sectional = tensor.layout(element), section.products(element)
+            names |= {of.name: structure(columns=of.columns, pairs=len(of.pairs), **of.tables)
+                      for of in (self.layout.products, self.sectional)}
+            names["sign"] = [c.sign for c in self.layout.columns]
+        self.machine = Machine(plan.functions(element.declaration.form), names)
 
         def some(count):
             return [Fraction(random.randint(-9, 9)) for _ in range(count)]
 
-        self.N, self.Nx, self.wx = some(v * stations), some(v * stations), some(stations)
-        if translates:  # the slopes of the positions' functions add up to zero
-            places = [i for i, is_position in enumerate(self.position) if is_position]
-            for g in range(stations):
-                self.Nx[g * v + places[0]] -= sum(self.Nx[g * v + i] for i in places)
+        half = some((stations + 1) // 2)
+        self.wx = half + half[:stations // 2][::-1]
+        values_, slopes = zip(*(self._functions(Fraction(g + 1, stations + 1))
+                                for g in range(stations)))
+        self.N, self.Nx = [x for row in values_ for x in row], [x for row in slopes for x in row]
+        if not translates:  # the slopes of the positions' functions do not add up to zero
+            self.N, self.Nx = some(v * stations), some(v * stations)
         self.Qn, self.Qs = self._symmetric(some(normals**2)), self._symmetric(some(shears**2))
         self.Qc = some(normals * shears) if coupled else None
         self.inv = structure(stations=stations, step_n=0, step_s=0, step_c=0, N=Pointer(self.N),
                              Nx=Pointer(self.Nx), wx=Pointer(self.wx), Qn=Pointer(self.Qn),
                              Qs=Pointer(self.Qs), Qc=Pointer(self.Qc) if coupled else None)
+        if self.continuum:
+            self.set_section(0 if coupled else products.ALONG)
         self.q0, self.u, self.h = some(3 * v), some(3 * v), some(3 * v)
+
+    def _functions(self, xi):
+        """Values and slopes of the vectors' axial functions, length 1."""
+        polynomials = [self.element.axial[a].polynomial for a in self.element.axial_of]
+        return tuple([sum(c * xi**n for n, c in enumerate(p)) for p in ps]
+                     for ps in (polynomials, map(derivative, polynomials)))
+
+    def set_section(self, symmetry):
+        """inv.section from its definition."""
+        v, a = self.size["V"], self.size["A"]
+        first = [self.element.axial_of.index(i) for i in range(a)]
+        weights, last = [], self.inv.stations - 1
+        for g in range(self.inv.stations):
+            for i in first:
+                for j in first:
+                    here, there = ([self.wx[at] * f[at * v + i] * h[at * v + j]
+                                    for f in (self.Nx, self.N) for h in (self.Nx, self.N)]
+                                   for at in (g, last - g))
+                    there = [x * sign for x, sign in zip(there, (1, -1, -1, 1))]
+                    both = [[(x + y) / 2 for x, y in zip(here, there)],
+                            [(x - y) / 2 for x, y in zip(here, there)]]
+                    weights += sum(both, []) if self.layout.mirrored else here + 4 * [0]
+        self.inv.symmetry, self.inv.step = symmetry, 0
+        self.inv.section = Pointer(weights + self.in_order(self.sectional, symmetry, self._split))
+
+    def in_order(self, of, symmetry, coefficient):
+        """The coefficients in the order in which the sums read them: coefficient(kind, row, pair).
+        """
+        found = []
+        for kind, (rows, first) in enumerate((*((of.rows, of.first_row),) * 2,
+                                              (of.skew_rows, of.first_skew_row))):
+            for c in range(products.CLASSES):
+                left = list(rows[first[c]:first[c + 1]])
+                pairs = [p for m in products.MERGED[symmetry]
+                         for p in of.pairs[slice(*of.first_pair[c ^ m:][:2])]
+                         if kind < 2 or p[0] != p[1]]
+                while left:
+                    count = next(h for h in products.HEIGHTS if h <= len(left))
+                    found += [coefficient(kind, row, p) for p in pairs for row in left[:count]]
+                    del left[:count]
+        assert len(found) == of.numbers(symmetry)
+        return found
+
+    def _split(self, kind, row, pair):
+        """A coefficient of section vectors."""
+        i = next(i for i in range(row, -1, -1) if i * (i + 1) // 2 <= row)
+        i, j, (t, v) = i, row - i * (i + 1) // 2, pair
+        if kind == 0:
+            return self.law(i, j, t, v)
+        first, second = self.law(i, t, j, v), self.law(i, v, j, t)
+        if kind == 1:
+            return first + second if t != v else first
+        return (first - second) / 2
+
+    def law(self, i, j, t, v):
+        """Q of two pairs of section vectors."""
+        m = self.size["M"]
+
+        def place(i, j):
+            i, j = max(i, j), min(i, j)
+            if (i < m) != (j < m):
+                return 1, j * (m - 1) + i - m
+            i, j, start = (i, j, 0) if i < m else (i - m, j - m, self.size["NA"])
+            return 0, start + i * (i + 1) // 2 + j
+
+        (a, r), (b, c) = sorted((place(i, j), place(t, v)))
+        q, columns = ((self.Qn, self.size["NN"]), (self.Qs, self.size["NS"]))[a] if a == b else (
+            self.Qc, self.size["NS"])
+        return q[r * columns + c] if q else Fraction(0)
 
     @staticmethod
     def _symmetric(entries):
@@ -113,10 +191,10 @@ class State:
 
     def tangent(self, u):
         """Force, and the tangent as a full matrix."""
-        v, s = self.size["V"], self.size["S"]
+        v = self.size["V"]
         out, packed = empty(3 * v), empty(9 * v * (v + 1) // 2)
-        scratch = empty(9 * s * s + 3 * (self.size["NN"] + self.size["NS"]))
-        self.machine.run("tangent_part", self.inv, lanes(self.q0), lanes(u), out, packed, scratch)
+        self.machine.run("tangent_part", self.inv, lanes(self.q0), lanes(u), out, packed,
+                         self.scratch())
         entries = values(packed)
         matrix = [[None] * (3 * v) for _ in range(3 * v)]
         for i in range(v):
@@ -128,6 +206,11 @@ class State:
                         if i != j:
                             matrix[3 * j + b][3 * i + a] = entry
         return values(out), matrix
+
+    def scratch(self):
+        if not self.continuum:
+            return empty(9 * self.size["S"]**2)
+        return empty(section.scratch(self.element, self.layout.sizes["BLOCKS"]))
 
     def trilinear(self, a, b, c):
         out = empty(3 * self.size["V"])
@@ -165,14 +248,9 @@ class Products(State):
 
     def __init__(self, element, symmetry):
         super().__init__(element, 2)
-        self.layout = tensor.layout(element)
-        self.wx = [Fraction(3)] * 2
-        values, slopes = zip(*(self._functions(HALF + x) for x in (-HALF / 3, HALF / 3)))
-        self.N, self.Nx = [x for row in values for x in row], [x for row in slopes for x in row]
         vectors = self.size["S"]
         modes = [m.parity for m in element.modes]
-        self.kinds = [y * (symmetry & 1) + 2 * z * (symmetry >> 1)
-                      for y, z in modes + modes[1:]]
+        self.kinds = [(2 * y + 4 * z) & symmetry for y, z in modes + modes[1:]]
         m = self.size["M"]
         self.normal = [(i, j) for first, last in ((0, m), (m, vectors))
                        for i in range(first, last) for j in range(first, i + 1)]
@@ -181,24 +259,10 @@ class Products(State):
         columns = self.layout.columns
         self.columns = [[self._column(g, c) for c in columns] for g in range(2)]
         self.rows = [[self._row(g, v) for v in range(self.size["V"])] for g in range(2)]
-        lay = self.layout
-        sums = (*((lay.rows, lay.first_row),) * 2, (lay.skew_rows, lay.first_skew_row))
-        numbers = [x for kind, (rows, first) in enumerate(sums)
-                   for x in self._sum(rows, first, kind, tensor.HEIGHTS[kind], symmetry)]
-        assert len(numbers) == self.layout.numbers(symmetry)
-        for name, value in (("wx", self.wx), ("N", self.N), ("Nx", self.Nx), ("Qn", self.Qn),
-                            ("Qs", self.Qs), ("tensor", numbers)):
+        numbers = self.in_order(self.layout.products, symmetry, self._coefficient)
+        for name, value in (("Qn", self.Qn), ("Qs", self.Qs), ("tensor", numbers)):
             setattr(self.inv, name, Pointer(value))
-        self.inv.symmetry = symmetry
-        self.machine = Machine(plan.functions("continuum") + tensor.functions(), {
-            **plan.tables(element), **self.layout.sizes, **self.layout.tables,
-            "sign": [c.sign for c in columns]})
-
-    def _functions(self, xi):
-        """Values and slopes of the vectors' axial functions, length 1."""
-        polynomials = [self.element.axial[a].polynomial for a in self.element.axial_of]
-        return tuple([sum(c * xi**n for n, c in enumerate(p)) for p in ps]
-                     for ps in (polynomials, map(derivative, polynomials)))
+        self.set_section(symmetry)
 
     def _kept(self, q, pairs):
         kind = [self.kinds[i] ^ self.kinds[j] for i, j in pairs]
@@ -234,7 +298,7 @@ class Products(State):
     def _coefficient(self, kind, row, pair):
         i, j = next((i, row - i * (i + 1) // 2) for i in range(row, -1, -1)
                     if i * (i + 1) // 2 <= row)
-        a, b = self.layout.mirror[i], self.layout.mirror[j]
+        a, b = self.layout.products.mirror[i], self.layout.products.mirror[j]
         image = max(a, b) * (max(a, b) + 1) // 2 + min(a, b)
         if image < row:
             return self._coefficient(kind, image, pair)
@@ -246,21 +310,7 @@ class Products(State):
             return first + second if t != v else first
         return (first - second) / 2
 
-    def _sum(self, rows, first, kind, height, symmetry):
-        """The coefficients in the order in which a sum reads them."""
-        found = []
-        for c in range(tensor.CLASSES):
-            left = list(rows[first[c]:first[c + 1]])
-            pairs = [p for m in tensor.MERGED[symmetry]
-                     for p in self.layout.pairs[slice(*self.layout.first_pair[c ^ m:][:2])]
-                     if kind < 2 or p[0] != p[1]]
-            while left:
-                count = height if len(left) >= height else 1
-                found += [self._coefficient(kind, row, p) for p in pairs for row in left[:count]]
-                del left[:count]
-        return found
-
-    def products(self, u):
+    def by_tensor(self, u):
         """Force, and force and tangent, as the section-wise plan gives them."""
         v, sizes = self.size["V"], self.layout.sizes
         f, g, packed = empty(3 * v), empty(3 * v), empty(9 * v * (v + 1) // 2)
@@ -341,17 +391,17 @@ class Tensor(Case):
     """The plan "tensor" is the plan over stations, in rationals, and its counts are those of an
     execution."""
 
-    def check(self, element, symmetries=tensor.SYMMETRIES):
+    def check(self, element, symmetries=(1, 3, 5, 7)):
         for symmetry in symmetries:
             with self.subTest(element.declaration.name, symmetry=symmetry):
                 state = Products(element, symmetry)
                 v = state.size["V"]
                 force, packed = empty(3 * v), empty(9 * v * (v + 1) // 2)
                 state.machine.run("tangent_part", state.inv, lanes(state.q0), lanes(state.u), force,
-                                  packed, empty(12 * state.size["S"]**2))
-                *products, counts = state.products(state.u)
-                self.assertEqual(products, [values(force), values(force), values(packed)])
-                printed = plan.build(element).tensors[symmetry]
+                                  packed, state.scratch())
+                *found, counts = state.by_tensor(state.u)
+                self.assertEqual(found, [values(force), values(force), values(packed)])
+                printed = plan.build(element).by_symmetry[symmetry]
                 self.assertEqual(counts, [printed["tensor_force_part"],
                                           printed["tensor_tangent_part"]])
 
@@ -359,22 +409,22 @@ class Tensor(Case):
         """Three positions; two, with slopes and a section function."""
         elements = shipped()
         self.check(elements["3333"])
-        self.check(elements["BE24w"], symmetries=(3,))
+        self.check(elements["BE24w"], symmetries=(7,))
 
     def test_no_mirror(self):
         """Nodes that have no mirror image: columns are the vectors themselves."""
         text = HEAD.replace('"0", "1"', '"0", "1/3", "1"') + PLANE.replace(
             '2 = ["value"]', '2 = ["value"], 3 = ["value"]')
         element = self.element(text)
-        self.assertEqual(tensor.layout(element).images, ())
-        self.check(element, symmetries=(3,))
+        self.assertFalse(tensor.layout(element).mirrored)
+        self.check(element, symmetries=(7,))
 
     def test_sizes(self):
         """Each symmetry leaves about half the numbers, and so does a mirror image."""
         layout = tensor.layout(shipped()["MGD30w"])
-        numbers = [layout.numbers(s) for s in tensor.SYMMETRIES]
-        self.assertEqual(numbers[1], numbers[2])
-        for more, less in (numbers[0], numbers[1]), (numbers[1], numbers[3]):
+        numbers = [layout.products.numbers(s) for s in products.SYMMETRIES]
+        self.assertEqual(numbers[3], numbers[5])
+        for more, less in (numbers[1], numbers[3]), (numbers[3], numbers[7]):
             self.assertTrue(1.8 < more / less < 2.2, numbers)
 
 
@@ -383,9 +433,9 @@ class Counted(Case):
 
     def check(self, element):
         state = State(element, element.stations)
-        v, s = state.size["V"], state.size["S"]
+        v = state.size["V"]
         q, u, f = lanes(state.q0), lanes(state.u), empty(3 * v)
-        packed, scratch = empty(9 * v * (v + 1) // 2), empty(9 * s * s + 3 * s * s)
+        packed, scratch = empty(9 * v * (v + 1) // 2), state.scratch()
         counts = [state.machine.run("force_part", state.inv, q, u, f),
                   state.machine.run("tangent_part", state.inv, q, u, f, packed, scratch),
                   state.machine.run("energy_part", state.inv, q, u, empty(1))]

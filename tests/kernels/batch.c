@@ -211,3 +211,10 @@ void run_trilinear(const struct fixture *fx, const hobe_lanes *p, const hobe_lan
     spoil_force(fx, b);
     fx->kernel->trilinear(&fx->inv, p, q, r, b->f, b->scratch);
 }
+
+void run_series(const struct fixture *fx, int k, const hobe_lanes *u, hobe_lanes *table,
+                struct batch *b)
+{
+    spoil_force(fx, b);
+    fx->kernel->series(&fx->inv, k, b->q0, u, table, b->f);
+}

@@ -185,6 +185,41 @@ static void check_linear(const struct fixture *fx, struct batch *b)
     free(T);
 }
 
+/* The coefficients of a series are sums of T(c_i; c_j, c_l), i + j + l = k, none of them k. */
+static void check_series(const struct fixture *fx, struct batch *b)
+{
+    enum { LAST = 4 };
+    const struct hobe_kernel *k = fx->kernel;
+    const size_t dofs = (size_t)fx->dofs, n = HOBE_LANES * dofs;
+    const size_t kept = (size_t)(3 * (2 * k->modes - 1) + k->normals + k->shears);
+    hobe_lanes *c = grab((LAST - 1) * dofs, sizeof *c);
+    hobe_lanes *table = grab((LAST + 1) * kept * (size_t)fx->inv.stations, sizeof *c);
+    real *sum = grab(3 * n, sizeof *sum), *T = sum + n, *f = T + n;
+    for (size_t i = 0; i < (LAST - 1) * dofs; i++)
+        for (int lane = 0; lane < HOBE_LANES; lane++)
+            c[i][lane] = b->u[i % dofs][(lane + 1 + (int)(i / dofs)) % HOBE_LANES];
+    for (int order = 1; order <= LAST; order++) {
+        run_series(fx, order, order > 1 ? c + (size_t)(order - 2) * dofs : b->u, table, b);
+        for (int lane = 0; lane < HOBE_LANES; lane++)
+            lane_vector(fx, b->f, lane, f + (size_t)lane * dofs);
+        memset(sum, 0, n * sizeof *sum);
+        for (int i = 0; i < order; i++)
+            for (int j = order - i, l = 0; j >= 0; j--, l++) {
+                if (j >= order || l >= order)
+                    continue;
+                const hobe_lanes *at[] = {b->q, c, c + dofs, c + 2 * dofs};
+                trilinear(fx, b, at[i], at[j], at[l], T);
+                for (size_t m = 0; m < n; m++)
+                    sum[m] += T[m];
+            }
+        trilinear(fx, b, b->q, b->q, b->q, T);
+        compare(fx, "series: the sum of T of lower orders", f, sum, T);
+    }
+    free(c);
+    free(table);
+    free(sum);
+}
+
 /* K d = T(d;q,q) - T(d;q0,q0) + 2 T(q;q,d), from force(q) = T(q;q,q) - T(q;q0,q0). */
 static void check_tangent_trilinear(const struct fixture *fx, struct batch *b)
 {
@@ -336,6 +371,7 @@ void check_identities(const struct fixture *fx)
         check_gradient(fx, &b);
         check_trilinear(fx, &b);
         check_linear(fx, &b);
+        check_series(fx, &b);
         check_tangent_trilinear(fx, &b);
         check_stations(fx, &b, &c);
     }

@@ -35,6 +35,10 @@ void fixture_open_curved(struct fixture *fx, const struct hobe_kernel *kernel,
 /* The same, straight and prismatic, with a section that is its own mirror image. */
 void fixture_open_symmetric(struct fixture *fx, const struct hobe_kernel *kernel,
                             enum pw_mechanics mechanics, int symmetry);
+/* The same, straight, with section functions that grow along the element: HOBE_SYMMETRIC_X is lost.
+ */
+void fixture_open_tapered(struct fixture *fx, const struct hobe_kernel *kernel,
+                          enum pw_mechanics mechanics, int symmetry);
 void fixture_close(struct fixture *fx);
 
 /* From now on both plans have only the numbers that this symmetry leaves, and force and tangent are
@@ -122,5 +126,7 @@ void run_force(const struct fixture *fx, const struct hobe_invariants *inv, stru
 void run_tangent(const struct fixture *fx, const struct hobe_invariants *inv, struct batch *b);
 void run_trilinear(const struct fixture *fx, const hobe_lanes *p, const hobe_lanes *q,
                    const hobe_lanes *r, struct batch *b);
+void run_series(const struct fixture *fx, int k, const hobe_lanes *u, hobe_lanes *table,
+                struct batch *b);
 
 #endif

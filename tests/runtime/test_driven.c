@@ -203,6 +203,32 @@ static void power(const hobe_section *section)
     hobe_drive_free(joint.position);
 }
 
+/* Turned and shifted by a drive, a beam vibrates as in the reference. */
+static void modes_of_driven(const hobe_section *section)
+{
+    struct hobe_beam beam = random_beam("beam", section);
+    struct hobe_joint joint = {.beam = {"beam"}, .kind = HOBE_JOINT_CYLINDRICAL};
+    hobe_model *model = new_model();
+    random_direction(joint.axis);
+    joint.angle = ramp(0, 1.2, 1);
+    joint.position = ramp(0.1, 0.5, 1);
+    beam.material.rho = 2700;
+    add_beam(model, &beam);
+    add_joint(model, &joint);
+    hobe_solution *solution = solve_at(model, 8, 1);
+    hobe_modes *turned = modes_of(model, solution, 3, HOBE_MODAL_LANCZOS);
+    hobe_modes *at_rest = modes_of(model, NULL, 3, HOBE_MODAL_LANCZOS);
+    for (int i = 0; i < 3; i++)
+        check_relative(mode_of(turned, i).omega2, mode_of(at_rest, i).omega2, 1e-7,
+                       "omega^2 of mode %d", i);
+    hobe_modes_free(turned);
+    hobe_modes_free(at_rest);
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_drive_free(joint.angle);
+    hobe_drive_free(joint.position);
+}
+
 /* ---- two beams ------------------------------------------------------------------------------- */
 
 static const double NOW = 0.6;
@@ -418,6 +444,7 @@ int main(void)
     driven_distance(section);
     whole_turns(section);
     power(section);
+    modes_of_driven(section);
     each_kind(section);
     turned_against_a_beam(section);
     refused(section);

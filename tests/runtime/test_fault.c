@@ -4,6 +4,7 @@
  * sanitizer looks).  The run has every kind of item. */
 #include "check.h"
 #include "hobe.h"
+#include "solution.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -170,6 +171,34 @@ static enum hobe_status tapered_element(struct hobe_error *err)
     return status;
 }
 
+/* A cantilever solved by series. */
+static enum hobe_status by_series(struct hobe_error *err)
+{
+    const struct hobe_newton options = {.method = HOBE_METHOD_SERIES};
+    hobe_section *section = hobe_section_rectangle(1, 2, HOBE_WARPING_PAPER, err);
+    hobe_model *model = section ? hobe_model_new(err) : NULL;
+    const struct hobe_beam beam = {.name = "beam",
+                                   .kernel = hobe_find_kernel("3333", err),
+                                   .elements = 1,
+                                   .section = section,
+                                   .material = {.E = 1, .nu = 0.3, .k2 = 1, .k3 = 1},
+                                   .to = {10, 0, 0}};
+    const struct hobe_clamp clamp = {.beam = "beam"};
+    const struct hobe_moment moment = {.beam = "beam", .at = 1, .value = {0, 1e-3, 1e-3}};
+    enum hobe_status status = model ? hobe_model_beam(model, &beam, err) : err->status;
+    hobe_solution *solution = NULL;
+    if (!status)
+        status = hobe_model_clamp(model, &clamp, err);
+    if (!status)
+        status = hobe_model_moment(model, &moment, err);
+    if (!status)
+        status = hobe_static(model, &options, &solution, err);
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_section_free(section);
+    return status;
+}
+
 static long elements_fail(enum hobe_status (*make)(struct hobe_error *err))
 {
     for (long n = 1;; n++) {
@@ -201,18 +230,30 @@ static enum hobe_status read_forces(const hobe_solution *solution, struct hobe_e
     return status;
 }
 
-static long forces_fail(const hobe_solution *solution)
+/* The way to it once more, from itself. */
+static enum hobe_status solve_again(const hobe_solution *solution, struct hobe_error *err)
+{
+    const struct hobe_newton options = {.start = solution};
+    hobe_solution *again;
+    const enum hobe_status status =
+        hobe_static((hobe_model *)solution->model, &options, &again, err);
+    hobe_solution_free(again);
+    return status;
+}
+
+static long calls_fail(enum hobe_status (*call)(const hobe_solution *, struct hobe_error *),
+                       const hobe_solution *solution)
 {
     for (long n = 1;; n++) {
         struct hobe_error err = {0};
         hobe_fail_allocation(n);
-        const enum hobe_status status = read_forces(solution, &err);
+        const enum hobe_status status = call(solution, &err);
         if (hobe_fail_allocation(0) < n) {
             check_that(status == HOBE_OK, "nothing failed: %s", err.message);
             return n - 1;
         }
         check_that(status == HOBE_NO_MEMORY && err.status == HOBE_NO_MEMORY,
-                   "allocation %ld of section forces: %s", n, err.message);
+                   "allocation %ld of a solution that stands: %s", n, err.message);
     }
 }
 
@@ -227,7 +268,9 @@ int main(void)
     check_that(n > 30 && n < 10000, "allocations were counted: %ld", n);
     printf("%ld allocations of a scene, %ld of an element, %ld of a tapered one, failed in turn\n",
            n - 1, elements_fail(one_element), elements_fail(tapered_element));
-    check_that(forces_fail(run.solution) >= 6, "section forces allocate");
+    check_that(calls_fail(read_forces, run.solution) >= 6, "section forces allocate");
+    check_that(elements_fail(by_series) >= 40, "series allocate");
+    check_that(calls_fail(solve_again, run.solution) >= 8, "solvers allocate");
     close_run(&run);
     return check_report();
 }

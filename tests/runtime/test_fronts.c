@@ -265,6 +265,7 @@ static int run(enum shape shape, double shift, int loose, int multipliers)
         check_stop("no memory");
     spread(&K, f, value);
     fronts_scale(f, value, scale);
+    fronts_scale_border(f, value, scale);
     check_scale(&K, scale);
     check_order(&K, f);
     const int done = !fronts_factor(f, value, scale);

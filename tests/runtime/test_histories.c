@@ -4,6 +4,7 @@
 #include "check.h"
 #include "load.h"
 #include "scene.h"
+#include "spring.h"
 #include "tangent.h"
 #include "vector3.h"
 
@@ -219,6 +220,66 @@ static void fields(const hobe_section *section)
     hobe_drive_free(history);
 }
 
+/* A spring and damper to a point of the ground. */
+struct ground {
+    double k, c, length, to[3];
+};
+
+static enum hobe_status spring_force(void *context, double t, const double x[3], const double v[3],
+                                     double F[3], struct hobe_error *err)
+{
+    const struct ground *g = context;
+    double e[3];
+    (void)t;
+    (void)err;
+    for (int a = 0; a < 3; a++)
+        e[a] = x[a] - g->to[a];
+    const double l = norm(e), size = g->k * (l - g->length) + g->c * dot3(e, v) / l;
+    for (int a = 0; a < 3; a++)
+        F[a] = -size * e[a] / l;
+    return HOBE_OK;
+}
+
+/* A force that is that of a spring is the spring, on all vectors at a random state in motion. */
+static void spring_of_the_caller(const hobe_section *section)
+{
+    struct hobe_error err;
+    struct ground ground = {.k = 3e4, .c = 200, .length = 0.4, .to = {0.9, 0.5, -0.3}};
+    struct hobe_beam beam = dense_beam(section);
+    hobe_model *model[2] = {cantilever(&beam, 0), cantilever(&beam, 0)};
+    const struct hobe_force force = {
+        .beam = "beam", .at = 0.7, .function = spring_force, .context = &ground};
+    struct hobe_spring spring = {.beam = {"beam"},
+                                 .at = {0.7},
+                                 .kind = HOBE_SPRING_LENGTH,
+                                 .stiffness = {ground.k},
+                                 .damping = {ground.c},
+                                 .length = ground.length};
+    memcpy(spring.to, ground.to, sizeof spring.to);
+    if (hobe_model_force(model[0], &force, &err) || hobe_model_spring(model[1], &spring, &err))
+        check_stop("%s", err.message);
+    for (int i = 0; i < 2; i++)
+        if (hobe_model_build(model[i], &err))
+            check_stop("%s", err.message);
+    const long n = 3 * model[0]->vectors;
+    double *const all = hobe_alloc((size_t)(4 * n), sizeof *all, &err);
+    double *u = all, *v = u + n, *r = v + n, *f = r + n, largest = 0;
+    for (long i = 0; i < n; i++) {
+        u[i] = random_real(-0.1, 0.1);
+        v[i] = random_real(-1, 1);
+    }
+    const struct instant instant = {.time = 1, .v = v};
+    load_subtract(model[0], u, &instant, 1, r, NULL);
+    spring_add(model[1], u, &instant, f, NULL);
+    for (long i = 0; i < n; i++)
+        largest = fmax(largest, fabs(f[i]));
+    for (long i = 0; i < n; i++)
+        check_absolute(r[i], f[i], 1e-12 * largest, "the spring's force %ld", i);
+    hobe_free(all);
+    for (int i = 0; i < 2; i++)
+        hobe_model_free(model[i]);
+}
+
 /* ---- what is refused ------------------------------------------------------------------------- */
 
 static void check_sentence(enum hobe_status status, enum hobe_status expected,
@@ -264,6 +325,7 @@ int main(void)
     hobe_section *section = rectangle(0.03, 0.05);
     each_load(section);
     fields(section);
+    spring_of_the_caller(section);
     refused(section);
     hobe_section_free(section);
     return check_report();

@@ -14,7 +14,7 @@
 
 static const double E = 70e9, PI = 3.14159265358979323846;
 
-enum { KINDS = HOBE_JOINT_DISTANCE + 1 };
+enum { KINDS = HOBE_JOINT_DISTANCE + 1 }; /* those between beams */
 
 /* Whether a kind has an axis. */
 static int has_axis(enum hobe_joint_kind kind)
@@ -261,7 +261,8 @@ static void all_kinds(void)
     hobe_section *section = rectangle(0.03, 0.03);
     for (int kind = 0; kind < KINDS; kind++)
         each_kind((enum hobe_joint_kind)kind, section);
-    check_that(!hobe_joint_name((enum hobe_joint_kind)KINDS), "there are no more kinds");
+    check_that(!hobe_joint_name((enum hobe_joint_kind)(HOBE_JOINT_RIGID + 1)),
+               "there are no more kinds");
     hobe_section_free(section);
 }
 
@@ -678,8 +679,9 @@ static void refused(void)
     refuse(&(struct hobe_joint){.beam = {"bean"}}, "there is no beam \"bean\"");
     refuse(&(struct hobe_joint){.beam = {"beam"}, .axis = {1, 0, 0}}, "has no axis");
     refuse(&(struct hobe_joint){.beam = {"beam"}, .kind = HOBE_JOINT_REVOLUTE}, "needs axis");
-    refuse(&(struct hobe_joint){.beam = {"beam"}, .kind = (enum hobe_joint_kind)KINDS},
-           "no kind of joint 10");
+    refuse(&(struct hobe_joint){.beam = {"beam"},
+                                .kind = (enum hobe_joint_kind)(HOBE_JOINT_RIGID + 1)},
+           "no kind of joint 11");
     refuse(&(struct hobe_joint){.beam = {"beam"}, .kind = HOBE_JOINT_DISTANCE}, "needs places");
     refuse(&(struct hobe_joint){.beam = {"beam", "beam"}, .at = {0, 0.5}}, "are 0.5 m apart");
     refuse(

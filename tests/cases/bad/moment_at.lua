@@ -1,0 +1,10 @@
+-- expect: bad/moment_at\.lua:9: at is missing: the place on beam "blade", a fraction of its length; a point is one of a body$
+local hobe = require "hobe"
+local section = hobe.rectangle{ width = 0.01, height = 0.02 }
+local steel = { E = 210e9, nu = 0.3, rho = 7850 }
+local scene = hobe.scene{
+  hobe.beam{ name = "blade", elements = 4, section = section, material = steel,
+             from = {0, 0, 0}, to = {1, 0, 0} },
+  hobe.clamp{ "blade", at = 0 },
+  hobe.moment{ "blade", value = {0, 1, 0} },
+}
