@@ -239,24 +239,25 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
     return GOING_ON;
 }
 
-/* One more correction, by the residual that was small enough, and what it changes: a residual of
- * round-off may move a slender beam far, and its correction takes most of that back.  FAILED where
- * that leaves nothing. */
-static enum outcome refine(struct solver *s, struct hobe_error *err)
+enum outcome solver_refine(struct solver *s)
 {
     const double size = solver_norm(s, s->u, -1);
-    const enum outcome outcome = size > 0 ? solver_factor(s, err) : FAILED;
-    s->info.change = size > 0 ? NAN : 0;
-    if (outcome != CONVERGED)
-        return outcome == ERROR ? ERROR : CONVERGED;
-    if (solver_solve(s, s->r, -1, s->x, err))
-        return ERROR;
-    s->info.change = correction_norm(s) / size;
+    s->info.change = size > 0 ? correction_norm(s) / size : 0;
     solver_move(s, s->x, 1);
     if (s->info.change <= LOST)
         return CONVERGED;
     solver_log(s, "lost in round-off");
     return FAILED;
+}
+
+/* The same with factors of the tangent at hand; nothing where there are none. */
+static enum outcome refine(struct solver *s, struct hobe_error *err)
+{
+    const enum outcome outcome = solver_factor(s, err);
+    s->info.change = NAN;
+    if (outcome != CONVERGED)
+        return outcome == ERROR ? ERROR : CONVERGED;
+    return solver_solve(s, s->r, -1, s->x, err) ? ERROR : solver_refine(s);
 }
 
 /* Newton from the current state to equilibrium at a load factor. */
