@@ -693,8 +693,8 @@ struct hobe_solution_info {
     double residual; /* of the last iteration */
     double change;   /* of the displacements by a last correction, beyond what tolerance asked for,
                         relative to their size, in the norm sum u^2 K_0 over the diagonal of the
-                        stiffness at rest: what is left open by round-off is less; NaN where the
-                        stiffness has no factors, 0 without load */
+                        stiffness at rest; it is taken, and round-off leaves less than that open (by
+                        series, which leave it, so much); NaN where the stiffness has no factors */
     double energy;   /* strain energy, that of springs included, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */

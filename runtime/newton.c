@@ -239,25 +239,27 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
     return GOING_ON;
 }
 
-enum outcome solver_refine(struct solver *s)
+enum outcome solver_measure(struct solver *s)
 {
     const double size = solver_norm(s, s->u, -1);
     s->info.change = size > 0 ? correction_norm(s) / size : 0;
-    solver_move(s, s->x, 1);
     if (s->info.change <= LOST)
         return CONVERGED;
     solver_log(s, "lost in round-off");
     return FAILED;
 }
 
-/* The same with factors of the tangent at hand; nothing where there are none. */
+/* Takes one more correction, where there are factors. */
 static enum outcome refine(struct solver *s, struct hobe_error *err)
 {
     const enum outcome outcome = solver_factor(s, err);
     s->info.change = NAN;
     if (outcome != CONVERGED)
         return outcome == ERROR ? ERROR : CONVERGED;
-    return solver_solve(s, s->r, -1, s->x, err) ? ERROR : solver_refine(s);
+    if (solver_solve(s, s->r, -1, s->x, err))
+        return ERROR;
+    solver_move(s, s->x, 1);
+    return solver_measure(s);
 }
 
 /* Newton from the current state to equilibrium at a load factor. */

@@ -62,6 +62,7 @@ struct follower {
     double *v, kappa;           /* [n] the tangent at the last point */
     double *force;              /* [vectors][3] Q */
     double lambda, last_lambda; /* now, and at the last point, whose state is s.start */
+    double mend;                /* of lambda, with s.x */
     struct plane step, reach, load;
     const struct plane *plane; /* that of the last iteration */
     struct series series;
@@ -102,8 +103,8 @@ static enum hobe_status solve_load(struct follower *f, struct hobe_error *err)
     return solver_solve(&f->s, f->force, 1, f->q, err);
 }
 
-/* s.x = the correction to where the linearised equations and the plane meet, by the last factors;
- * lambda takes it. */
+/* s.x and mend: the correction to where the linearised equations and the plane meet, by the last
+ * factors. */
 static enum hobe_status find_correction(struct follower *f, const struct plane *plane,
                                         struct hobe_error *err)
 {
@@ -115,11 +116,16 @@ static enum hobe_status find_correction(struct follower *f, const struct plane *
         return status;
     const double c_x = plane->c ? dot(f->n, plane->c, s->x) : 0;
     const double c_q = plane->c ? dot(f->n, plane->c, f->q) : 0;
-    const double change = -(distance(f, plane, s->u, f->lambda) + c_x) / (c_q + plane->kappa);
+    f->mend = -(distance(f, plane, s->u, f->lambda) + c_x) / (c_q + plane->kappa);
     for (long i = 0; i < f->n; i++)
-        s->x[i] += change * f->q[i];
-    f->lambda += change;
+        s->x[i] += f->mend * f->q[i];
     return HOBE_OK;
+}
+
+static void take_correction(struct follower *f)
+{
+    solver_move(&f->s, f->s.x, 1);
+    f->lambda += f->mend;
 }
 
 static enum outcome correct(struct follower *f, const struct plane *plane, struct hobe_error *err)
@@ -130,7 +136,7 @@ static enum outcome correct(struct follower *f, const struct plane *plane, struc
         return outcome;
     if (find_correction(f, plane, err))
         return ERROR;
-    solver_move(s, s->x, 1);
+    take_correction(f);
     s->info.iterations++;
     return CONVERGED;
 }
@@ -463,7 +469,9 @@ static enum outcome attempt(struct follower *f, double arc, int *ended, struct h
     if (outcome == CONVERGED)
         outcome = count_and_factor(f, err);
     if (outcome == CONVERGED)
-        outcome = find_correction(f, f->plane, err) ? ERROR : solver_refine(s);
+        outcome = find_correction(f, f->plane, err) ? ERROR : solver_measure(s);
+    if (outcome == CONVERGED && !by_series(f)) /* which begin where the tangent was factored */
+        take_correction(f);
     if (outcome == CONVERGED)
         outcome = turn_tangent(f);
     if (outcome == CONVERGED)
