@@ -1035,14 +1035,16 @@ struct hobe_modal_options {
 typedef struct hobe_modes hobe_modes;
 
 struct hobe_modes_info {
-    int count;       /* modes found */
-    int buckling;    /* they are of hobe_buckling */
-    int unstable;    /* modes of the scene that grow, wanted or not; -1: not known */
-    long unknowns;   /* scalar unknowns, multipliers included */
-    double mass;     /* of all beams, bodies and masses, kg */
-    double residual; /* of a turning frame: how much a step of inverse iteration would change the
-                        worst of the shapes, relative, whose square is the error of a frequency */
-    double seconds;  /* in hobe_modal without set-up */
+    int count;        /* modes found */
+    int buckling;     /* they are of hobe_buckling */
+    int unstable;     /* modes of the scene that grow, wanted or not; -1: not known */
+    long unknowns;    /* scalar unknowns, multipliers included */
+    double mass;      /* of all beams, bodies and masses, kg */
+    double residual;  /* of a turning frame: how much a step of inverse iteration would change the
+                         worst of the shapes, relative, whose square is the error of a frequency */
+    double round_off; /* of hobe_modal at rest: the largest share of an omega^2 that rounding of the
+                         stiffness may make up, as a rule that of the lowest */
+    double seconds;   /* in hobe_modal without set-up */
     enum hobe_modal_method method; /* that was used */
 };
 
