@@ -406,8 +406,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -471,14 +471,14 @@ static const short merged_with[] = {
     0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,
 };
 /* products of nodal vectors */
-static const short nodal_mirror[] = {
+static const unsigned char nodal_mirror[] = {
     9,10,11,6,7,8,3,4,5,0,1,2,
 };
-static const short nodal_pair_t[] = {
+static const unsigned char nodal_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,6,7,8,9,10,2,4,5,6,7,8,8,9,10,10,2,5,6,7,8,8,1,5,6,7,7,8,4,5,6,9,10,
     10,3,5,6,9,9,10,3,4,7,8,9,9,10,10,3,4,7,8,9,9,10,10,
 };
-static const short nodal_pair_v[] = {
+static const unsigned char nodal_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,0,1,2,3,4,1,3,0,5,2,1,7,4,3,9,0,1,2,5,0,6,0,2,1,0,6,5,0,3,4,5,0,6,0,
     4,3,0,6,5,1,2,3,4,1,7,2,8,2,1,4,3,2,8,1,7,
 };
@@ -508,13 +508,13 @@ static const struct products nodal[1] = {{ 11, 66, nodal_mirror, nodal_pair_t, n
     nodal_first_pair, nodal_first_cross, nodal_row, nodal_first_row, nodal_skew_row,
     nodal_first_skew_row}};
 /* products of section vectors */
-static const short sectional_mirror[] = {
+static const unsigned char sectional_mirror[] = {
     0,1,2,3,4,
 };
-static const short sectional_pair_t[] = {
+static const unsigned char sectional_pair_t[] = {
     0,1,2,3,4,3,4,1,3,2,4,2,4,3,4,
 };
-static const short sectional_pair_v[] = {
+static const unsigned char sectional_pair_v[] = {
     0,1,2,3,4,1,2,0,0,0,0,1,3,2,1,
 };
 static const short sectional_first_pair[] = {
@@ -576,8 +576,8 @@ static int symmetry(const struct hobe_invariants *inv)
     return kept;
 }
 
-/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the column
- * (t, v), of one station or of all. */
+/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the
+ * column (t, v), of one station or of all. */
 typedef void coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
                           double c[3]);
 
@@ -1442,7 +1442,7 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3] */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
                          const hobe_real *x, hobe_real *X, hobe_real *T)
 {
@@ -1480,7 +1480,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
             const int along = (i < M) == (j < M);
             hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 :
+                                     7 * GRAMS + 3 * r + e - 7;
                 const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
                 plus[at] = sum;
                 minus[at] = less;
@@ -1489,8 +1490,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
     }
 }
 
-/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
- * row and its mirror image the sum of what they share, then that of what they differ by */
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:
+ * of a row and its mirror image the sum of what they share, then of what they differ by */
 static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
                          hobe_real *K)
 {

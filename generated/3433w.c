@@ -441,8 +441,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -506,16 +506,16 @@ static const short merged_with[] = {
     0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,
 };
 /* products of nodal vectors */
-static const short nodal_mirror[] = {
+static const unsigned char nodal_mirror[] = {
     12,13,14,15,8,9,10,11,4,5,6,7,0,1,2,3,
 };
-static const short nodal_pair_t[] = {
+static const unsigned char nodal_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,8,9,10,11,12,13,14,2,4,6,7,8,9,10,10,11,12,12,13,14,14,2,
     5,6,7,8,9,10,10,11,12,13,13,14,14,1,5,6,7,8,9,9,10,11,12,13,13,14,14,4,5,6,7,8,9,10,11,12,
     12,13,13,14,14,3,5,6,7,8,9,10,11,11,12,13,13,14,14,3,4,6,7,8,9,10,11,11,12,12,13,14,14,3,4,
     5,7,8,9,10,11,11,12,12,13,13,14,
 };
-static const short nodal_pair_v[] = {
+static const unsigned char nodal_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,0,1,2,3,4,5,6,1,3,5,0,7,2,1,9,4,3,11,6,5,13,0,3,4,1,2,7,
     0,8,5,6,3,11,4,12,0,4,3,2,1,0,8,7,6,5,4,12,3,11,0,1,2,3,4,5,6,7,0,8,1,9,2,10,0,2,1,4,3,6,5,
     0,8,7,2,10,1,9,1,2,0,5,6,3,4,1,9,2,10,7,0,8,2,1,0,6,5,4,3,2,10,1,9,0,8,7,
@@ -550,13 +550,13 @@ static const struct products nodal[1] = {{ 15, 120, nodal_mirror, nodal_pair_t,
     nodal_pair_v, nodal_first_pair, nodal_first_cross, nodal_row, nodal_first_row,
     nodal_skew_row, nodal_first_skew_row}};
 /* products of section vectors */
-static const short sectional_mirror[] = {
+static const unsigned char sectional_mirror[] = {
     0,1,2,3,4,5,6,
 };
-static const short sectional_pair_t[] = {
+static const unsigned char sectional_pair_t[] = {
     0,1,2,3,4,5,6,4,5,6,1,3,6,4,5,6,2,3,6,4,5,6,2,3,5,4,5,6,
 };
-static const short sectional_pair_v[] = {
+static const unsigned char sectional_pair_v[] = {
     0,1,2,3,4,5,6,1,2,3,0,2,5,0,3,2,0,1,4,3,0,1,1,0,4,2,1,0,
 };
 static const short sectional_first_pair[] = {
@@ -618,8 +618,8 @@ static int symmetry(const struct hobe_invariants *inv)
     return kept;
 }
 
-/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the column
- * (t, v), of one station or of all. */
+/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the
+ * column (t, v), of one station or of all. */
 typedef void coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
                           double c[3]);
 
@@ -1484,7 +1484,7 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3] */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
                          const hobe_real *x, hobe_real *X, hobe_real *T)
 {
@@ -1522,7 +1522,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
             const int along = (i < M) == (j < M);
             hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 :
+                                     7 * GRAMS + 3 * r + e - 7;
                 const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
                 plus[at] = sum;
                 minus[at] = less;
@@ -1531,8 +1532,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
     }
 }
 
-/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
- * row and its mirror image the sum of what they share, then that of what they differ by */
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:
+ * of a row and its mirror image the sum of what they share, then of what they differ by */
 static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
                          hobe_real *K)
 {

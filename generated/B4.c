@@ -466,8 +466,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -534,10 +534,10 @@ static const short merged_with[] = {
     0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,
 };
 /* products of nodal vectors */
-static const short nodal_mirror[] = {
+static const unsigned char nodal_mirror[] = {
     16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31,16,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,
 };
-static const short nodal_pair_t[] = {
+static const unsigned char nodal_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,2,7,8,8,
     11,11,12,12,12,13,14,15,16,17,17,18,18,19,19,20,20,21,21,21,22,22,22,22,23,24,25,25,25,25,
     26,26,26,26,26,27,27,28,28,29,29,29,29,29,30,30,30,30,30,30,1,2,4,6,7,7,8,8,10,11,11,11,12,
@@ -555,7 +555,7 @@ static const short nodal_pair_t[] = {
     30,5,6,9,9,9,10,10,11,12,13,14,15,15,16,16,17,17,18,18,19,19,19,20,20,20,21,22,23,23,23,23,
     23,24,24,24,24,25,25,26,26,27,27,27,27,27,27,28,28,28,28,28,29,29,29,30,30,30,
 };
-static const short nodal_pair_v[] = {
+static const unsigned char nodal_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,0,1,0,2,
     1,7,0,2,8,3,4,5,6,3,13,4,14,5,15,6,16,1,7,11,0,2,8,12,9,10,1,7,11,21,0,2,8,12,22,9,23,10,24,
     1,7,11,21,25,0,2,8,12,22,26,0,1,3,5,0,2,1,7,9,0,2,8,1,7,11,4,3,13,6,5,15,4,14,3,13,17,6,16,
@@ -629,10 +629,10 @@ static const struct products nodal[1] = {{ 31, 496, nodal_mirror, nodal_pair_t,
     nodal_pair_v, nodal_first_pair, nodal_first_cross, nodal_row, nodal_first_pair,
     nodal_skew_row, nodal_first_skew_row}};
 /* products of section vectors */
-static const short sectional_mirror[] = {
+static const unsigned char sectional_mirror[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,
 };
-static const short sectional_pair_t[] = {
+static const unsigned char sectional_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,3,5,5,6,7,8,8,
     9,9,10,10,10,11,12,12,12,12,13,13,14,14,14,14,14,19,20,21,22,22,23,23,24,24,25,26,26,26,27,
     27,28,28,28,28,15,15,15,16,16,16,17,17,17,17,17,17,18,18,18,19,19,19,19,19,19,20,20,20,21,
@@ -648,7 +648,7 @@ static const short sectional_pair_t[] = {
     27,27,28,28,28,15,15,15,16,16,16,17,17,17,18,18,18,18,18,18,19,19,19,20,20,20,21,21,21,22,
     22,22,23,23,23,24,24,24,25,25,25,25,25,25,26,26,26,27,27,27,27,27,27,28,28,28,
 };
-static const short sectional_pair_v[] = {
+static const unsigned char sectional_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,0,0,3,1,2,1,6,
     2,7,0,3,5,4,0,3,5,10,4,11,0,3,5,10,12,17,15,16,15,20,16,21,17,19,18,17,19,24,18,25,17,19,24,
     26,1,6,8,2,7,9,0,3,5,10,12,14,4,11,13,0,3,5,10,12,14,1,6,8,2,7,9,1,6,8,2,7,9,0,3,5,10,12,14,
@@ -738,8 +738,8 @@ static int symmetry(const struct hobe_invariants *inv)
     return kept;
 }
 
-/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the column
- * (t, v), of one station or of all. */
+/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the
+ * column (t, v), of one station or of all. */
 typedef void coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
                           double c[3]);
 
@@ -1604,7 +1604,7 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3] */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
                          const hobe_real *x, hobe_real *X, hobe_real *T)
 {
@@ -1642,7 +1642,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
             const int along = (i < M) == (j < M);
             hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 :
+                                     7 * GRAMS + 3 * r + e - 7;
                 const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
                 plus[at] = sum;
                 minus[at] = less;
@@ -1651,8 +1652,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
     }
 }
 
-/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
- * row and its mirror image the sum of what they share, then that of what they differ by */
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:
+ * of a row and its mirror image the sum of what they share, then of what they differ by */
 static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
                          hobe_real *K)
 {

@@ -509,8 +509,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -584,11 +584,11 @@ static const short merged_with[] = {
     0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,
 };
 /* products of nodal vectors */
-static const short nodal_mirror[] = {
+static const unsigned char nodal_mirror[] = {
     34,35,36,37,38,39,40,41,42,43,44,45,46,47,48,49,50,51,18,19,20,21,22,23,24,25,26,27,28,29,
     30,31,32,33,34,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,
 };
-static const short nodal_pair_t[] = {
+static const unsigned char nodal_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31,32,33,
     34,35,36,37,38,39,40,41,42,43,44,45,46,47,48,49,50,2,9,10,11,12,13,14,15,15,16,16,17,17,18,
     18,19,19,20,20,21,21,21,22,22,22,23,23,23,24,24,24,25,26,26,27,27,27,28,28,28,29,29,29,29,
@@ -634,7 +634,7 @@ static const short nodal_pair_t[] = {
     41,41,41,41,42,42,42,42,42,43,43,43,43,43,44,44,44,44,44,45,45,45,45,45,46,46,46,46,47,47,
     47,47,48,48,48,48,48,49,49,49,49,49,50,50,50,50,
 };
-static const short nodal_pair_v[] = {
+static const unsigned char nodal_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31,32,33,
     34,35,36,37,38,39,40,41,42,43,44,45,46,47,48,49,50,0,3,4,5,6,7,8,7,13,8,14,5,11,6,12,3,9,4,
     10,3,9,19,4,10,20,5,11,17,6,12,18,1,0,2,7,13,15,8,14,16,3,9,19,21,4,10,20,22,5,11,17,23,6,
@@ -814,10 +814,10 @@ static const struct products nodal[1] = {{ 51, 1326, nodal_mirror, nodal_pair_t,
     nodal_pair_v, nodal_first_pair, nodal_first_cross, nodal_row, nodal_first_pair,
     nodal_skew_row, nodal_first_skew_row}};
 /* products of section vectors */
-static const short sectional_mirror[] = {
+static const unsigned char sectional_mirror[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31,32,
 };
-static const short sectional_pair_t[] = {
+static const unsigned char sectional_pair_t[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31,32,4,
     5,6,7,7,8,8,9,9,10,10,10,11,11,11,12,13,13,13,14,14,14,14,15,15,15,15,16,16,20,21,22,23,23,
     24,24,25,25,26,26,26,27,27,27,29,29,29,30,30,30,30,31,31,31,31,32,17,17,17,17,17,18,18,18,
@@ -838,7 +838,7 @@ static const short sectional_pair_t[] = {
     25,26,26,26,26,26,27,27,27,27,27,28,28,28,28,29,29,29,30,30,30,30,30,31,31,31,31,31,32,32,
     32,32,
 };
-static const short sectional_pair_v[] = {
+static const unsigned char sectional_pair_v[] = {
     0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30,31,32,1,
     2,3,3,6,2,5,1,4,1,4,9,2,5,8,0,3,6,7,1,4,9,10,2,5,8,11,0,12,17,18,19,19,22,18,21,17,20,17,20,
     25,18,21,24,19,22,23,17,20,25,26,18,21,24,27,28,1,4,9,10,14,2,5,8,11,15,3,6,7,13,1,4,9,10,
@@ -938,8 +938,8 @@ static int symmetry(const struct hobe_invariants *inv)
     return kept;
 }
 
-/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the column
- * (t, v), of one station or of all. */
+/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the
+ * column (t, v), of one station or of all. */
 typedef void coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
                           double c[3]);
 
@@ -1804,7 +1804,7 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
-/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch */
+/* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3] */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
                          const hobe_real *x, hobe_real *X, hobe_real *T)
 {
@@ -1842,7 +1842,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
             const int along = (i < M) == (j < M);
             hobe_real *plus = along ? T : W, *minus = along ? W : T;
             for (int e = 0; e < 10; e++) {
-                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 : 7 * GRAMS + 3 * r + e - 7;
+                const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 :
+                                     7 * GRAMS + 3 * r + e - 7;
                 const hobe_real sum = T[at] + W[at], less = T[at] - W[at];
                 plus[at] = sum;
                 minus[at] = less;
@@ -1851,8 +1852,8 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
     }
 }
 
-/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a
- * row and its mirror image the sum of what they share, then that of what they differ by */
+/* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:
+ * of a row and its mirror image the sum of what they share, then of what they differ by */
 static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, hobe_real *Q,
                          hobe_real *K)
 {

@@ -8,7 +8,9 @@ Five stages, each a module with one input and one output; `__main__` runs them a
     shape functions     shape.py        Declaration -> axial functions N(xi), exact polynomials
     invariants          invariants.py   both -> sizes, degrees, exact axial integrals, section modes
     contraction plan    plan.py         Element -> loop nests (ir.py) with their operation counts:
-                        tensor.py       from station to station, and as products with one tensor
+                        section.py      from station to station,
+                        tensor.py       and as products with one tensor;
+                        products.py     what both are made of
     C                   emit.py         loop nests -> one C file per element, and the registry
 
 All algebra is exact (sympy rationals); numbers become decimal only when printed.  The text depends

@@ -230,11 +230,13 @@ def _plan_tables(element, plan):
     for of, note in (layout.products, "nodal vectors"), (plan.sectional, "section vectors"):
         lines.append(f"/* products of {note} */")
         names = {}  # of tables; equal ones are written once
+        kinds = {name: "unsigned char" if name in products.OF_VECTORS else "short"
+                 for name in of.tables}
         for name, table in of.tables.items():
-            names.setdefault(tuple(table), f"{of.name}_{name}")
-        lines += [_table(f"static const short {name}[]", map(str, table), gap="")
-                  for table, name in names.items()]
-        of_names = ", ".join(names[tuple(table)] for table in of.tables.values())
+            names.setdefault((kinds[name], *table), f"{of.name}_{name}")
+        lines += [_table(f"static const {kind} {name}[]", map(str, table), gap="")
+                  for (kind, *table), name in names.items()]
+        of_names = ", ".join(names[kinds[name], *table] for name, table in of.tables.items())
         lines.append("\n".join(_wrap(f"static const struct products {of.name}[1] = {{{{",
                                      f"{of.columns}, {len(of.pairs)}, {of_names}}}}};")))
     return "\n".join([*lines, ""])

@@ -46,7 +46,8 @@ def tables(element):
              "position": [int(v.is_position) for v in vectors], "axial_of": element.axial_of}
     if element.declaration.form == "continuum":
         layout = tensor.layout(element)
-        names |= {**layout.sizes, **layout.tables, **section.sizes(element), **section.tables(element), **products.TABLES, "TALL": 1,
+        names |= {**layout.sizes, **layout.tables, **section.sizes(element),
+                  **section.tables(element), **products.TABLES, "TALL": 1,
                   "nodal_mirror": layout.products.mirror}
     return names
 

@@ -30,8 +30,8 @@ CLASSES = 8            # of pairs: 1 odd in x, 2 odd in y, 4 odd in z
 SYMMETRIES = range(8)  # the same bits: parities that an element keeps apart
 ALONG = 1              # that of x
 MERGED = tuple(tuple(k for k in range(CLASSES) if not k & s) for s in SYMMETRIES)
-# Rows at a time, as many as are left of a class, for sums of 1, 6 and 3 columns: 24 sums want the 32
-# registers that a TALL machine has.
+# Rows at a time, as many as are left of a class, for sums of 1, 6 and 3 columns: 24 sums want the
+# 32 registers that a TALL machine has.
 HEIGHTS = 4, 2, 1
 WIDTHS = 1, 6, 3
 
@@ -90,6 +90,8 @@ class Products:
 
         return 2 * count("first_row", "first_pair") + count("first_skew_row", "first_cross")
 
+
+OF_VECTORS = "mirror", "pair_t", "pair_v"  # tables of numbers of vectors
 
 TABLES = {
     "merged": [len(m) for m in MERGED],
@@ -209,8 +211,8 @@ enum { TALL = 0 };
 /* Rows and columns of products (generator/products.py). */
 struct products {
     int columns, pairs;         /* vectors, and pairs t >= v of those */
-    const short *mirror;        /* of each vector of a row, its mirror image */
-    const short *pair_t, *pair_v; /* first those with t = v, then by class of parities */
+    const unsigned char *mirror;          /* of each vector of a row, its mirror image */
+    const unsigned char *pair_t, *pair_v; /* first those with t = v, then by class of parities */
     const short *first_pair, *first_cross; /* of each class; without those with t = v */
     const short *row, *first_row;          /* rows of Q and of the symmetric part, by class */
     const short *skew_row, *first_skew_row;
@@ -266,8 +268,8 @@ static int symmetry(const struct hobe_invariants *inv)
 """
 
 COEFFICIENTS = """\
-/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the column
- * (t, v), of one station or of all. */
+/* The coefficients c[3] of Q, of the symmetric and of the skew part of the row (i, j) and the
+ * column (t, v), of one station or of all. */
 typedef void coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
                           double c[3]);
 

@@ -18,10 +18,10 @@ and the row of the mirror image, whose weights are +-s c' and +-s c, is +-(first
 part): each part is summed once for two blocks of the tangent.  What follows is as in tensor.py.
 """
 
+from . import tensor
 from .form import (AXIAL, CLEAR_FORCE, CURRENT, INVARIANTS, VECTORS, axis3, filled, given,
                    hand_back, numbers)
 from .ir import Do, Function, If, Let, Note, loop
-from . import tensor
 from .products import Products, by_class, pair
 from .tensor import ROW
 
@@ -175,7 +175,7 @@ def _station_rows():
     return Function(
         "station_rows",
         (INVARIANTS, "int g", *given("x0", "x"), *filled("X", "T")),
-        "T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]; X: scratch",
+        "T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3]",
         (
             Do("hobe_real B[3 * S], U[3 * S], *Z = X + 6 * GRAMS;", free=True),
             Do("hobe_real *sym = T + GRAMS, *skew = T + 7 * GRAMS;", free=True),
@@ -199,8 +199,9 @@ def _even_and_odd():
                              Do("hobe_real *plus = along ? T : W, *minus = along ? W : T;",
                                 free=True),
                              loop("e", "10",
-                                  Do("const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 "
-                                     ": 7 * GRAMS + 3 * r + e - 7;", free=True),
+                                  Do("const int at = e < 1 ? r : e < 7 ? GRAMS + 6 * r + e - 1 :"
+                                     "\n                     7 * GRAMS + 3 * r + e - 7;",
+                                     free=True),
                                   Do("const hobe_real sum = T[at] + W[at], less = T[at] - W[at];"),
                                   Do("plus[at] = sum;", free=True),
                                   Do("minus[at] = less;", free=True)))),))
@@ -258,8 +259,8 @@ def _nodal_blocks():
     return Function(
         "nodal_blocks",
         (INVARIANTS, *given("T"), *filled("Q", "K")),
-        "Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts: of a\n"
-        " * row and its mirror image the sum of what they share, then that of what they differ by",
+        "Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:\n"
+        " * of a row and its mirror image the sum of what they share, then of what they differ by",
         (
             Let("last", LAST),
             loop("k", "M", loop("l", "k + 1", loop("i", "first_of[k + 1]",

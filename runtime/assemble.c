@@ -11,8 +11,8 @@
 #endif
 
 enum {
-    BATCHES_PER_TASK = 16, /* neighbours that find each other's panels in the cache */
-    TASKS_PER_THREAD = 2   /* fewer are done before a second thread wakes up */
+    BATCHES_PER_TASK = 16,    /* neighbours that find each other's panels in the cache */
+    ELEMENTS_PER_THREAD = 512 /* fewer are done before a second thread wakes up */
 };
 
 static int most_threads(void)
@@ -125,10 +125,12 @@ static enum hobe_status open_workspaces(const struct hobe_model *model, struct s
 enum hobe_status assemble_schedule(hobe_model *model, struct hobe_error *err)
 {
     struct schedule *s = &model->schedule;
-    long tasks = 0;
-    for (size_t i = 0; i < model->beams.count; i++)
+    long tasks = 0, elements = 0;
+    for (size_t i = 0; i < model->beams.count; i++) {
         tasks += tasks_of(model_beam(model, i));
-    const long useful = 1 + tasks / TASKS_PER_THREAD;
+        elements += model_beam(model, i)->spec.elements;
+    }
+    const long useful = 1 + elements / ELEMENTS_PER_THREAD;
     s->threads = useful < most_threads() ? (int)useful : most_threads();
     const enum hobe_status status = order_tasks(model, tasks, s, err);
     return status ? status : open_workspaces(model, s, err);
@@ -466,20 +468,27 @@ double assemble_energy(const struct hobe_model *model, const double *u)
 }
 
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
-                                  const double *u, double *f, struct hobe_error *err)
+                                  const double *u, const double *v, double *f,
+                                  struct hobe_error *err)
 {
     const struct hobe_kernel *k = beam->kernel;
     const size_t n = 3 * (size_t)k->vectors;
     const struct batch *batch = beam->batch;
-    hobe_lanes *of = hobe_alloc(2 * n + k->scratch, sizeof *of, err);
+    hobe_lanes *of = hobe_alloc(3 * n + k->scratch, sizeof *of, err);
     if (!of)
         return HOBE_NO_MEMORY;
+    const struct workspace work = {.q0 = of, .u = of + n, .f = of + 2 * n, .scratch = of + 3 * n};
     while (e >= batch->first + batch->count)
         batch++;
-    gather(model, beam, batch, u, of);
-    k->force(hobe_element_invariants(batch->law), batch->q0, of, of + n, of + 2 * n);
+    gather(model, beam, batch, u, work.u);
+    k->force(hobe_element_invariants(batch->law), batch->q0, work.u, work.f, work.scratch);
     for (size_t i = 0; i < n; i++)
-        f[i] = of[n + i][e - batch->first];
+        f[i] = work.f[i][e - batch->first];
+    if (v && beam->spec.damping.stiffness > 0) {
+        find_viscous(model, beam, batch, u, v, &work);
+        for (size_t i = 0; i < n; i++)
+            f[i] += beam->spec.damping.stiffness * work.f[i][e - batch->first];
+    }
     hobe_free(of);
     return HOBE_OK;
 }

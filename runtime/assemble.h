@@ -23,9 +23,11 @@ void assemble(const struct hobe_model *model, const double *u, double *f, const 
 void assemble_expecting(const struct hobe_model *model, const double *u, const double *v, double *f,
                         const struct matrix *K);
 
-/* f[V][3] = dU/dq of element e of a beam alone, N, in memory of its own. */
+/* f[V][3] = dU/dq of element e of a beam alone, N, in memory of its own, and what its viscous
+ * stress adds where it has the velocities v[vectors][3]; NULL: at rest. */
 enum hobe_status assemble_element(const struct hobe_model *model, const struct beam *beam, int e,
-                                  const double *u, double *f, struct hobe_error *err);
+                                  const double *u, const double *v, double *f,
+                                  struct hobe_error *err);
 
 /* K = the tangent of elements that are where u puts them and have come there from where
  * u - v would: it differs from that of unstrained ones by the geometric stiffness of the strains of

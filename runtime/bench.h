@@ -10,7 +10,8 @@
 
 /* A result.  Texts live as long as the program. */
 struct bench_row {
-    const char *kind;    /* "machine", "kernel", "baseline", "scene" or "table 6" */
+    const char *kind;    /* "machine", "kernel", "baseline", "scene",
+                            "motion" or "table 6" */
     const char *element; /* NULL where there is none, as all texts below */
     const char *section, *plan, *task;
     int taken;              /* the plan is that which hobe takes there */
@@ -20,7 +21,8 @@ struct bench_row {
     double flops;           /* of a call, as counted; 0: not known */
     double peak;            /* share of the peak in the same rounds; 0: not known */
     double points, printed; /* times that the baselines take longer, in the same rounds; 0: none */
-    double bytes;           /* of memory at most, above what was there before; 0: not measured */
+    double iterations, factors; /* of Newton's method, in a step in time; 0: none */
+    double bytes; /* of memory at most, above what was there before; 0: not measured */
 };
 struct bench_rows {
     struct bench_row *at; /* bench_add; freed by its owner with hobe_free */
@@ -34,10 +36,11 @@ struct bench_row *bench_add(struct bench_rows *rows, struct hobe_error *err);
 /* What to measure. */
 struct bench_options {
     int kernels, scenes;
-    const struct hobe_kernel *const *kernel; /* [kernels] in races of kernels and in Table 6 */
-    const struct hobe_kernel *const *scene;  /* [scenes] in long beams */
-    double seconds;                          /* for each race */
-    long longest;                            /* beam, elements */
+    const struct hobe_kernel *const
+        *kernel; /* [kernels] in races of kernels, in Table 6, in motion */
+    const struct hobe_kernel *const *scene;               /* [scenes] in long beams */
+    double seconds;                                       /* for each race */
+    long longest;                                         /* beam, elements */
     void (*progress)(const char *what, const char *name); /* says what is timed now */
 };
 
@@ -45,12 +48,14 @@ struct bench_options {
 enum hobe_status bench_kernels(const struct bench_options *options, struct bench_rows *rows,
                                struct hobe_error *err);
 
-/* Scenes (bench_scene.c): beams of 24 to `longest` elements; and the load cases of the paper's
- * Table 6. */
+/* Scenes (bench_scene.c): beams of 24 to `longest` elements; the load cases of the paper's Table 6;
+ * and steps in time of a pendulum (bench_motion.c). */
 enum hobe_status bench_scenes(const struct bench_options *options, struct bench_rows *rows,
                               struct hobe_error *err);
 enum hobe_status bench_table6(const struct bench_options *options, struct bench_rows *rows,
                               struct hobe_error *err);
+enum hobe_status bench_motions(const struct bench_options *options, struct bench_rows *rows,
+                               struct hobe_error *err);
 
 /* The largest differences of force and tangent between a kernel and the baselines of its element in
  * a strained state, relative to the kernel's largest entry; 0 where there is no baseline: they

@@ -43,6 +43,8 @@ enum {
     PEAK,
     POINTS,
     PRINTED,
+    ITERATIONS,
+    FACTORS,
     BYTES,
     COLUMNS
 };
@@ -68,6 +70,8 @@ static const struct {
     [PEAK] = {"% of peak", "% of peak"},
     [POINTS] = {"points / this", "points/this"},
     [PRINTED] = {"eq. 28 / this", "eq. 28/this"},
+    [ITERATIONS] = {"iterations per step", "iterations"},
+    [FACTORS] = {"factors per step", "factors"},
     [BYTES] = {"bytes per element", "bytes"},
 };
 
@@ -88,6 +92,8 @@ static void fill(const struct bench_row *row, struct hobe_cell *cell)
         [PEAK] = 100 * row->peak,
         [POINTS] = row->points,
         [PRINTED] = row->printed,
+        [ITERATIONS] = row->iterations,
+        [FACTORS] = row->factors,
         [BYTES] = elements > 0 ? row->bytes / elements : 0,
     };
     for (int j = 0; j < DOFS; j++)
@@ -109,8 +115,8 @@ static const struct view everything = {
     "bench",
     {NULL, NULL},
     COLUMNS,
-    {KIND, ELEMENT, SECTION, PLAN, TAKEN, TASK, DOFS, ELEMENTS, SECONDS, LEAST, SPREAD, NANOSECONDS,
-     FLOPS, RATE, PEAK, POINTS, PRINTED, BYTES},
+    {KIND,   ELEMENT,     SECTION, PLAN, TAKEN, TASK,   DOFS,    ELEMENTS,   SECONDS, LEAST,
+     SPREAD, NANOSECONDS, FLOPS,   RATE, PEAK,  POINTS, PRINTED, ITERATIONS, FACTORS, BYTES},
     0,
 };
 static const struct view views[] = {
@@ -128,6 +134,11 @@ static const struct view views[] = {
      {"table 6", NULL},
      4,
      {ELEMENT, ELEMENTS, SECONDS, SPREAD},
+     3},
+    {"A pendulum's step in time, and what it takes on the average",
+     {"motion", NULL},
+     7,
+     {ELEMENT, ELEMENTS, TASK, SECONDS, SPREAD, ITERATIONS, FACTORS},
      3},
 };
 

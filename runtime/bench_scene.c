@@ -2,8 +2,7 @@
 /* Whole scenes: the steps of a Newton iteration on beams of ever more elements, and the load cases
  * of the paper's Table 6. */
 #define _GNU_SOURCE
-#include "bench.h"
-
+#include "bench_princeton.h"
 #include "newton.h"
 
 #include <fcntl.h>
@@ -13,34 +12,12 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The Princeton beam (Tang, Tian & Hu 2022, Table 5 and section 5.1): m, Pa. */
-static const double WIDTH = 3.2024e-3, HEIGHT = 12.377e-3, LENGTH = 0.508;
-static const struct hobe_material aluminium = {71.7e9, 0.31, 2700, 1, 1, 0};
-
 /* A beam longer than this is held again after as many elements each: a cantilever of thousands has
  * no digits left. */
 enum { BAY = 24 };
 
 /* Below this, pages of memory are too coarse to tell what an element takes. */
 enum { MEMORY_FROM = 1000 };
-
-static hobe_section *make_section(struct hobe_error *err)
-{
-    return hobe_section_rectangle(WIDTH, HEIGHT, HOBE_WARPING_SERIES, err);
-}
-
-static enum hobe_status add_beam(hobe_model *model, const struct hobe_kernel *kernel, int elements,
-                                 double length, const hobe_section *section, struct hobe_error *err)
-{
-    return hobe_model_beam(model,
-                           &(struct hobe_beam){.name = "beam",
-                                               .kernel = kernel,
-                                               .elements = elements,
-                                               .section = section,
-                                               .material = aluminium,
-                                               .to = {length, 0, 0}},
-                           err);
-}
 
 /* ---- long beams ----------------------------------------------------------------------------- */
 
@@ -62,7 +39,8 @@ static hobe_model *build(const struct scene *s)
     enum hobe_status status = model ? HOBE_OK : HOBE_NO_MEMORY;
     if (!status)
         status =
-            add_beam(model, s->kernel, s->elements, LENGTH / BAY * s->elements, s->section, s->err);
+            bench_princeton_beam(model, s->kernel, s->elements,
+                                 BENCH_PRINCETON_LENGTH / BAY * s->elements, s->section, s->err);
     for (int e = 0; !status && e < s->elements; e += BAY)
         status = hobe_model_clamp(model,
                                   &(struct hobe_clamp){.beam = "beam",
@@ -218,7 +196,7 @@ enum hobe_status bench_scenes(const struct bench_options *options, struct bench_
                               struct hobe_error *err)
 {
     static const int sizes[] = {24, 240, 1000, 10000, 100000};
-    hobe_section *section = make_section(err);
+    hobe_section *section = bench_princeton_section(err);
     enum hobe_status status = section ? HOBE_OK : err->status;
     for (int i = 0; i < options->scenes; i++)
         for (size_t n = 0; !status && n < sizeof sizes / sizeof *sizes; n++)
@@ -238,12 +216,6 @@ struct table6 {
     struct hobe_error *err;
 };
 
-/* Meshes of about equal size, by nodes of an element (Table 5). */
-static int mesh(const struct hobe_kernel *kernel)
-{
-    return kernel->nodes == 2 ? 38 : kernel->nodes == 3 ? 24 : 16;
-}
-
 static enum hobe_status load_case(const struct table6 *t, double P, double angle)
 {
     hobe_solution *solution = NULL;
@@ -252,7 +224,8 @@ static enum hobe_status load_case(const struct table6 *t, double P, double angle
         .beam = "beam", .at = 1, .value = {0, -P * sin(angle), -P * cos(angle)}};
     enum hobe_status status = model ? HOBE_OK : HOBE_NO_MEMORY;
     if (!status)
-        status = add_beam(model, t->kernel, t->elements, LENGTH, t->section, t->err);
+        status = bench_princeton_beam(model, t->kernel, t->elements, BENCH_PRINCETON_LENGTH,
+                                      t->section, t->err);
     if (!status)
         status = hobe_model_clamp(model, &(struct hobe_clamp){.beam = "beam"}, t->err);
     if (!status)
@@ -296,11 +269,11 @@ static enum hobe_status time_table6(const struct bench_options *options, struct 
 enum hobe_status bench_table6(const struct bench_options *options, struct bench_rows *rows,
                               struct hobe_error *err)
 {
-    hobe_section *section = make_section(err);
+    hobe_section *section = bench_princeton_section(err);
     enum hobe_status status = section ? HOBE_OK : err->status;
     for (int i = 0; !status && i < options->kernels; i++) {
         const struct hobe_kernel *kernel = options->kernel[i];
-        struct table6 t = {kernel, section, mesh(kernel), HOBE_OK, err};
+        struct table6 t = {kernel, section, bench_princeton_mesh(kernel), HOBE_OK, err};
         status = time_table6(options, &t, rows);
     }
     hobe_section_free(section);

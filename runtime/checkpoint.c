@@ -17,7 +17,7 @@ struct mark {
     struct stops stops;
     double wanted, error, largest, smallest_step;
     double time, step, begin; /* of genalpha_state */
-    long taken;
+    long steady, taken;
     double loads, drives, damped, start; /* of the account */
     struct hobe_history_info history;
     struct hobe_solution_info solver;
@@ -38,6 +38,7 @@ static struct mark mark_of(const struct run *run)
                          .time = now->time,
                          .step = now->step,
                          .begin = now->begin,
+                         .steady = run->steady,
                          .taken = now->taken,
                          .loads = account->loads,
                          .drives = account->drives,
@@ -56,6 +57,7 @@ static void take_mark(struct run *run, const struct mark *mark)
     run->wanted = mark->wanted;
     run->error = mark->error;
     run->largest = mark->largest;
+    run->steady = mark->steady;
     run->options.smallest_step = mark->smallest_step;
     now->time = mark->time;
     now->step = mark->step;

@@ -230,6 +230,7 @@ static enum hobe_status choose_step(struct run *run, double target, int kink,
     struct genalpha *g = &run->g;
     const int first = g->now.step == 0, differs = genalpha_choose_step(g, target, run->wanted);
     double changed;
+    run->steady = differs ? 0 : run->steady;
     if (first || !(differs || kink))
         return HOBE_OK;
     const enum hobe_status status = settle(g, &changed, err);
@@ -254,10 +255,11 @@ static enum outcome judge(struct run *run)
 {
     struct genalpha *g = &run->g;
     const double h = g->now.step, accuracy = run->options.accuracy;
-    const double before = genalpha_norm(g, g->now.w), after = genalpha_norm(g, g->w);
+    const double after = genalpha_acceleration(g);
     run->error = accuracy > 0 ? genalpha_error(g) / g->size : NAN;
     g->reason = NULL;
-    if (!(after <= LEAP * before) && !(h * h * after <= (accuracy > 0 ? accuracy : FAR) * g->size))
+    if (!(h * h * after <= (accuracy > 0 ? accuracy : FAR) * g->size) &&
+        !(after <= LEAP * genalpha_norm(g, g->now.w)))
         g->reason = "the accelerations grew to more than three times what they were";
     else if (run->error > accuracy)
         g->reason = "the error was too large";
@@ -311,53 +313,46 @@ static void take(struct run *run, double target)
     log_step(run, "");
 }
 
-/* Lets the step grow where the error allows it. */
+/* Lets the step grow where the error allows it: at once, or from the next stop on. */
 static enum hobe_status grow(struct run *run, double target, struct hobe_error *err)
 {
     const struct genalpha_state *now = &run->g.now;
     const double longest = run->options.step > 0 ? run->options.step : INFINITY;
-    run->largest = now->taken == 1 ? run->error : fmax(run->largest, run->error);
+    run->largest = run->steady++ ? fmax(run->largest, run->error) : run->error;
     const double factor = fmin(MOST_GROWTH, growth(run, run->largest));
-    if (!(run->options.accuracy > 0) || now->taken < PATIENCE || factor < GROW ||
-        now->time >= target || now->step * GROW > fmin(longest, target - now->time))
+    if (!(run->options.accuracy > 0) || run->steady < PATIENCE || factor < GROW ||
+        now->step * GROW > longest)
         return HOBE_OK;
     run->wanted = fmin(longest, now->step * factor);
-    return choose_step(run, target, 0, err);
+    return now->step * GROW > target - now->time ? HOBE_OK : choose_step(run, target, 0, err);
 }
 
 static void find_stops(struct run *run, double t)
 {
-    const double every = run->options.store;
+    const double every = run->options.store, to = run->options.to, near = TINY * run->wanted;
     struct stops *stops = &run->stops;
     stops->kink = drive_next(run->g.s.model, t);
     if (every > 0 && !(stops->store > t))
-        stops->store = stops->begin + every * floor((t - stops->begin) / every + 1 + 1e-9);
-}
-
-/* The time at which steps must end next. */
-static double next_stop(const struct run *run)
-{
-    return fmin(run->options.to, fmin(run->stops.store, run->stops.kink));
-}
-
-/* Whether the state now is one to be kept. */
-static int is_kept(const struct run *run)
-{
-    const double t = run->g.now.time;
-    return !(run->options.store > 0) || t == run->stops.store || t == run->options.to;
+        stops->store = stops->begin + every * floor((t - stops->begin) / every + 1 + TINY);
+    stops->target = fmin(to, fmin(stops->store, stops->kink));
+    stops->keep = fmin(to, stops->store) <= stops->target + near;
+    if (stops->kink <= stops->target + near)
+        stops->target = stops->kink;
+    else if (to <= stops->target + near)
+        stops->target = to;
 }
 
 /* Steps up to the next stop. */
 static enum hobe_status move_to_stop(struct run *run, struct hobe_error *err)
 {
-    const double target = next_stop(run);
+    const double target = run->stops.target;
     enum hobe_status status = HOBE_OK;
     while (!status && run->g.now.time < target) {
         status = advance(run, target, err);
         if (status)
             return status;
         take(run, target);
-        if (is_kept(run))
+        if (!(run->options.store > 0) || (run->stops.keep && run->g.now.time == target))
             status = history_keep(run->history, &run->g, &run->account, run->started, err);
         if (!status)
             status = grow(run, target, err);
@@ -374,7 +369,7 @@ static enum hobe_status move(struct run *run, struct hobe_error *err)
     while (!status && *t < run->options.to) {
         const int kink = *t == run->stops.kink;
         find_stops(run, *t);
-        status = choose_step(run, next_stop(run), kink, err);
+        status = choose_step(run, run->stops.target, kink, err);
         if (!status)
             status = move_to_stop(run, err);
     }
@@ -400,10 +395,10 @@ static void set_defaults(struct run *run)
 {
     struct hobe_dynamic *o = &run->options;
     const struct genalpha *g = &run->g;
-    const double time = o->to - g->now.time, w = genalpha_norm(g, g->now.w);
+    const double t = g->now.time, time = o->to - t, w = genalpha_norm(g, g->now.w);
     if (!(o->smallest_step > 0))
         o->smallest_step = SMALLEST_STEP * time;
-    run->stops = (struct stops){g->now.time, o->store > 0 ? g->now.time : INFINITY, g->now.time};
+    run->stops = (struct stops){t, o->store > 0 ? t : INFINITY, t, t, 0};
     run->wanted = o->step > 0 ? o->step : FIRST_STEP * time;
     if (o->accuracy > 0 && w > 0)
         run->wanted = fmin(run->wanted, sqrt(o->accuracy * g->size / w));

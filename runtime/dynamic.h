@@ -5,11 +5,12 @@
 
 #include "history.h"
 
-/* Where steps must end. */
+/* Where steps must end, s: at the next state to keep, INFINITY where all are, and at the next break
+ * of a drive or a load; the nearest is the target, or `to`.  Of such as rounding parts it is the
+ * break, after which drives go on. */
 struct stops {
-    double begin; /* of the motion, s */
-    double store; /* the next state to keep; INFINITY where all are */
-    double kink;  /* the next break of a drive or a load */
+    double begin, store, kink, target;
+    long keep; /* the state at the target */
 };
 
 struct run {
@@ -21,6 +22,7 @@ struct run {
     double wanted;  /* longest step now, s */
     double error;   /* of the last step, relative */
     double largest; /* of all steps of this length */
+    long steady;    /* how many these are */
     double started; /* on the clock */
     size_t saved;   /* states of the history that the journal has */
 };

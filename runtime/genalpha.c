@@ -25,7 +25,7 @@ static const double DIVERGED = 1e6;
 
 /* Factors cost about as much as so many iterations with those at hand: a step that would need more
  * makes new ones. */
-static const double WORTH = 4;
+static const double WORTH = 3;
 
 /* ---- memory --------------------------------------------------------------------------------- */
 
@@ -78,7 +78,8 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
     *g = (struct genalpha){.tolerance =
                                options->tolerance > 0 ? options->tolerance : DEFAULT_TOLERANCE,
                            .max_iterations = options->max_iterations > 0 ? options->max_iterations
-                                                                         : DEFAULT_ITERATIONS};
+                                                                         : DEFAULT_ITERATIONS,
+                           .full_newton = options->full_newton};
     set_parameters(g, options->rho > 0 ? options->rho : DEFAULT_RHO);
     enum hobe_status status = solver_open(&g->s, model, &(struct hobe_newton){0}, err);
     if (!status && model->spun) /* Coriolis' force has a skew matrix */
@@ -119,6 +120,11 @@ double genalpha_violation(const struct genalpha *g, const double *r)
 double genalpha_norm(const struct genalpha *g, const double *x)
 {
     return sqrt(fmax(0, mass_product(g->s.model, x, x)) / g->mass);
+}
+
+double genalpha_acceleration(const struct genalpha *g)
+{
+    return sqrt(fmax(0, dot(3 * g->s.model->moving, g->w, g->force)) / g->mass);
 }
 
 double genalpha_error(struct genalpha *g)
@@ -223,13 +229,13 @@ static enum outcome correct(struct genalpha *g, struct hobe_error *err)
         return fail(g, "its equations are singular");
     if (outcome == ERROR || solver_solve(s, s->r, -1, s->x, err))
         return ERROR;
-    g->factored = 1;
+    g->factored = !g->full_newton;
     move(g);
     return CONVERGED;
 }
 
-/* How the iteration stands: whether the factors are of this step, and the last tangent of the state
- * before; norms of the residual, the first and the last. */
+/* How the iteration stands: how many factors were made in this step, and whether the last tangent
+ * is of the state before; norms of the residual, the first and the last. */
 struct progress {
     int own, turned;
     double first, last;
@@ -266,20 +272,22 @@ static enum outcome iterate(struct genalpha *g, struct hobe_error *err)
     struct solver *s = &g->s;
     struct progress p = {.last = INFINITY};
     for (g->iterations = 0; g->iterations <= g->max_iterations; g->iterations++) {
-        evaluate(g, g->factored ? NO_TANGENT : best_tangent(&p));
+        evaluate(g, g->factored || g->iterations ? NO_TANGENT : best_tangent(&p));
         if (model_failure(s->model, err))
             return ERROR;
         double norm = solver_norm(s, s->r, 1);
         const double wanted = goal(g);
         p.first = g->iterations ? p.first : fmax(norm, wanted);
-        if (norm <= wanted && genalpha_violation(g, s->r) <= CLOSED)
+        if (norm <= wanted && genalpha_violation(g, s->r) <= CLOSED) {
+            g->factored &= p.own < 2; /* a step that wears them out leaves none to the next */
             return CONVERGED;
+        }
         if (!(norm <= DIVERGED * p.first) && (p.own || !g->iterations))
             return fail(g, "Newton's iteration diverges");
-        if (g->factored && g->iterations && too_slow(&p, norm, wanted))
+        if (g->iterations && (!g->factored || too_slow(&p, norm, wanted)))
             norm = renew(g, &p, norm);
         p.turned = !g->factored;
-        p.own |= p.turned;
+        p.own += p.turned;
         p.last = norm;
         const enum outcome outcome = correct(g, err);
         if (outcome != CONVERGED)

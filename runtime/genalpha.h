@@ -30,7 +30,7 @@ struct genalpha {
     struct solver s; /* s.u: the state being found */
     double am, af, beta, gamma;
     double tolerance;
-    int max_iterations;
+    int max_iterations, full_newton; /* as in hobe_dynamic */
     struct genalpha_state now;
     double *v, *w, *a;  /* [vectors][3] at the end of the step */
     double *force;      /* [vectors][3] M w there, N */
@@ -59,6 +59,9 @@ enum outcome genalpha_step(struct genalpha *g, struct hobe_error *err);
 
 /* |x|_M / sqrt(m) of a field, in the field's unit. */
 double genalpha_norm(const struct genalpha *g, const double *x);
+
+/* That of the accelerations of the step that was found last. */
+double genalpha_acceleration(const struct genalpha *g);
 
 /* The part of the last step's displacements that its order leaves out, m:
  * |beta + (am - af)/2 - 1/6| h^2 |a1 - a| in the mass norm (Geradin & Cardona 2001, 7.6). */

@@ -42,8 +42,7 @@ static void sum_loads(const hobe_model *model, const double *u, const struct ins
 static struct power find_power(const hobe_model *model, const double *u,
                                const struct instant *instant, double *rate)
 {
-    struct power power = {.damped = damping_power(model, u, instant->v) +
-                                    spring_power(model, u, instant->v)};
+    struct power power = {.damped = damping_power(model, u, instant->v)};
     memset(rate, 0, (size_t)(3 * model->vectors) * sizeof *rate);
     constraint_rate(model, u, instant, rate);
     for (long i = 3 * model->moving; i < 3 * model->vectors; i++)

@@ -797,6 +797,8 @@ struct hobe_dynamic {
     double tolerance;   /* of forces left over, relative to those of inertia, loads and joints; 0:
                            1e-9 */
     int max_iterations; /* in a step; 0: 10 */
+    int full_newton;    /* 1: each iteration has factors of its own; 0: those at hand serve on, over
+                           iterations and steps, as long as they converge fast enough */
     double smallest_step; /* below which a motion that needs accuracy is given up, s; 0: 1e-9 of
                              the time to go */
     int equilibrium;      /* 1: it starts from the static equilibrium under the loads of t = 0; 0:

@@ -496,21 +496,18 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
 
 /* ---- along a series -------------------------------------------------------------------------- */
 
-/* The slopes r_y, r_z at a load along the states u[known]. */
-static void find_slopes(const struct hobe_model *model, const char *name, double at,
-                        const double *const *u, int known, struct station *s, taylor3 slope[2])
+/* The slopes r_y, r_z at a station, which was found in u[0], along the states u[known]. */
+static void find_slopes(const struct hobe_model *model, const struct station *s,
+                        const double *const *u, int known, taylor3 slope[2])
 {
     memset(slope, 0, 2 * sizeof *slope);
-    find_station(model, name, at, u[0], s);
-    const struct beam *beam = s->place.beam;
-    memcpy(slope[0][0], s->slope[0], sizeof s->slope[0]);
-    memcpy(slope[1][0], s->slope[1], sizeof s->slope[1]);
-    for (int v = 0; v < beam->kernel->vectors; v++) {
-        const int m = beam->kernel->vector[v].mode - 1;
-        const long vector = model_vector(model, beam, s->place.element, v);
-        for (int i = 1; i < known && (m == 0 || m == 1); i++)
-            for (int a = 0; a < 3; a++)
-                slope[m][i][a] += s->N[v] * u[i][3 * vector + a];
+    for (int m = 0; m < 2; m++) {
+        memcpy(slope[m][0], s->slope[m], sizeof s->slope[m]);
+        for (int v = 0; v < s->vectors; v++)
+            for (int i = 1; i < known; i++)
+                for (int a = 0; a < 3; a++)
+                    slope[m][i][a] +=
+                        s->weight[1 + m][v] * u[i][3 * station_vector(model, s, v) + a];
     }
 }
 
@@ -535,7 +532,8 @@ static void add_moment_series(const struct hobe_model *model, const struct hobe_
     const double factor = drive_factor(model, moment->history, AT_REST.time, moment->where);
     struct station s;
     taylor3 slope[2];
-    find_slopes(model, moment->beam, moment->at, u, known, &s, slope);
+    find_station(model, moment->beam, moment->at, NULL, u[0], &s);
+    find_slopes(model, &s, u, known, slope);
     for (int m = 0; m < 2; m++) {
         double F[3] = {0};
         angle_series(k, s.frame[0], slope[m], dot3(s.frame[0], moment->value) / 2, F);
@@ -553,7 +551,8 @@ static void add_follower_series(const struct hobe_model *model, const struct hob
     taylor3 slope[2], n = {{0}}, t[3] = {{{0}}};
     taylor size;
     double F[3] = {0};
-    find_slopes(model, force->beam, force->at, u, known, &s, slope);
+    find_station(model, force->beam, force->at, force_point(force), u[0], &s);
+    find_slopes(model, &s, u, known, slope);
     taylor_cross(k, slope[0], slope[1], n);
     taylor_length(k, n, size);
     taylor_divide(k, n, size, 1, t[0]);

@@ -108,6 +108,8 @@ static enum hobe_status measure(const struct bench_options *options, struct benc
         status = bench_scenes(options, rows, err);
     if (!status)
         status = bench_table6(options, rows, err);
+    if (!status)
+        status = bench_motions(options, rows, err);
     show_progress("", "");
     return status;
 }

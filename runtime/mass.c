@@ -14,18 +14,38 @@ static const double *element_mass(const struct beam *beam, int e)
     return hobe_element_invariants(beam_law(beam, e))->mass;
 }
 
-void mass_element_force(const struct hobe_model *model, const struct beam *beam, int e,
-                        const double A[3][3], const double *a, double *f)
+/* A vector with a zero behind it, which compilers take as one. */
+typedef double padded[4];
+
+/* sum[v] = sum_w m[v][w] a_w of element e. */
+static void weigh(const struct hobe_model *model, const struct beam *beam, int e, const double *a,
+                  padded sum[HOBE_MAX_VECTORS])
 {
     const int V = beam->kernel->vectors;
     const double *m = element_mass(beam, e);
-    for (int v = 0; v < V; v++) {
-        double sum[3] = {0}, *to = f + 3 * model_vector(model, beam, e, v);
+    padded of[HOBE_MAX_VECTORS];
+    for (int w = 0; w < V; w++) {
+        memcpy(of[w], a + 3 * model_vector(model, beam, e, w), 3 * sizeof *a);
+        of[w][3] = 0;
+    }
+    for (int v = 0; v < V; v++, m += V) {
+        padded s = {0};
         for (int w = 0; w < V; w++)
-            for (int c = 0; c < 3; c++)
-                sum[c] += m[v * V + w] * a[3 * model_vector(model, beam, e, w) + c];
+            for (int c = 0; c < 4; c++)
+                s[c] += m[w] * of[w][c];
+        memcpy(sum[v], s, sizeof s);
+    }
+}
+
+void mass_element_force(const struct hobe_model *model, const struct beam *beam, int e,
+                        const double A[3][3], const double *a, double *f)
+{
+    padded sum[HOBE_MAX_VECTORS];
+    weigh(model, beam, e, a, sum);
+    for (int v = 0; v < beam->kernel->vectors; v++) {
+        double *to = f + 3 * model_vector(model, beam, e, v);
         for (int c = 0; c < 3; c++)
-            to[c] += dot3(A[c], sum);
+            to[c] += dot3(A[c], sum[v]);
     }
 }
 
@@ -33,12 +53,18 @@ static void element_matrix(const struct hobe_model *model, const struct beam *be
                            const double A[3][3], const struct matrix *K)
 {
     const int V = beam->kernel->vectors;
-    for (int v = 0; v < V; v++)
-        for (int w = 0; w < V; w++) {
-            double block[3][3];
-            times3(element_mass(beam, e)[v * V + w], A, block);
-            tangent_add(model, beam, e, v, w, (const double(*)[3])block, K);
+    const double *m = element_mass(beam, e);
+    const long *place = beam->place[K->layout] + (long)e * V * V;
+    for (int w = 0; w < V; w++) {
+        const long j = model->unknown[model_vector(model, beam, e, w)];
+        const int stride = j < 0 ? 0 : model->stride[K->layout][j];
+        for (int v = 0; v < V; v++) {
+            const long at = place[v * V + w];
+            for (int c = 0; at >= 0 && c < 3; c++)
+                for (int a = 0; a < 3; a++)
+                    K->value[at + c * stride + a] += m[v * V + w] * A[a][c];
         }
+    }
 }
 
 void mass_force_of(const struct hobe_model *model, const struct beam *beam, double factor,
@@ -97,14 +123,13 @@ void mass_matrix(const struct hobe_model *model, double factor, const struct mat
 double mass_product_of(const struct hobe_model *model, const struct beam *beam, const double *a,
                        const double *b)
 {
-    const int V = beam->kernel->vectors;
     double sum = 0;
-    for (int e = 0; e < beam->spec.elements; e++)
-        for (int v = 0; v < V; v++)
-            for (int w = 0; w < V; w++)
-                sum += element_mass(beam, e)[v * V + w] *
-                       dot3(a + 3 * model_vector(model, beam, e, v),
-                            b + 3 * model_vector(model, beam, e, w));
+    padded Ma[HOBE_MAX_VECTORS];
+    for (int e = 0; e < beam->spec.elements; e++) {
+        weigh(model, beam, e, a, Ma);
+        for (int v = 0; v < beam->kernel->vectors; v++)
+            sum += dot3(Ma[v], b + 3 * model_vector(model, beam, e, v));
+    }
     return sum;
 }
 

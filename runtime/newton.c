@@ -66,15 +66,15 @@ void solver_move(struct solver *s, const double *x, double factor)
 double solver_norm(const struct solver *s, const double *field, int p)
 {
     const hobe_model *model = s->model;
-    double sum = 0;
+    double sum[3] = {0}; /* three chains, which do not wait for each other */
     for (long v = 0; v < model->vectors; v++)
         if (model->unknown[v] >= 0)
             for (int a = 0; a < 3; a++) {
                 const double D = s->scale[3 * model->unknown[v] + a];
                 const double x = p > 0 ? D * field[3 * v + a] : field[3 * v + a] / D;
-                sum += x * x;
+                sum[a] += x * x;
             }
-    return sqrt(sum);
+    return sqrt(sum[0] + sum[1] + sum[2]);
 }
 
 /* |D^-1 du| of the correction. */

@@ -83,12 +83,15 @@ static enum hobe_status from_forces(const hobe_solution *solution, const struct 
     double f[3 * HOBE_MAX_VECTORS];
     double *loads = hobe_alloc(3 * (size_t)model->vectors, sizeof *loads, err);
     enum hobe_status status =
-        loads ? assemble_element(model, beam, e, solution->u, f, err) : HOBE_NO_MEMORY;
+        loads ? assemble_element(model, beam, e, solution->u, solution->v, f, err) : HOBE_NO_MEMORY;
     if (!status) {
         const struct instant instant = solution_instant(solution);
         load_inside(model, solution->u, &instant, solution->info.load, beam, e, loads);
-        if (solution->w)
+        if (solution->v) {
+            const double alpha = beam->spec.damping.mass;
             mass_element_force(model, beam, e, MASS_ISOTROPIC(-1), solution->w, loads);
+            mass_element_force(model, beam, e, MASS_ISOTROPIC(-alpha), solution->v, loads);
+        }
         status = model_failure(model, err);
         for (int v = 0; v < p->kernel->vectors; v++)
             for (int a = 0; a < 3; a++) {

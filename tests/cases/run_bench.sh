@@ -57,6 +57,12 @@ for element, baselines in (("BE24", {"points", "eq. 28"}), ("3333s", set())):
                                          elements=1000)[0]
     table6, = select(element=element, kind="table 6")
     assert table6["elements"] == (38 if element == "BE24" else 24)
+    steps = {r["task"]: r for r in select(element=element, kind="motion")}
+    assert set(steps) == {"step", "step, full Newton"}, steps
+    assert all(r["elements"] == table6["elements"] for r in steps.values()), steps
+    whole = steps["step, full Newton"]
+    assert whole["factors per step"] >= whole["iterations per step"], whole
+    assert steps["step"]["factors per step"] < whole["factors per step"], steps
 assert select(kind="machine")
 
 with open("out/bench.csv", newline="") as file:

@@ -361,7 +361,7 @@ static void open_fixture(struct fixture *fx, const struct hobe_kernel *kernel,
     if (curved) {
         free(fx->point);
         fx->beam.taper = 0.4L;
-        set_reference(fx, 0.05L);
+        set_reference(fx, symmetry ? 0 : 0.05L);
         set_section(fx);
     }
     make_invariants(fx, kernel->stations, curved ? kernel->stations : 1, &fx->inv);
@@ -376,6 +376,12 @@ void fixture_open_curved(struct fixture *fx, const struct hobe_kernel *kernel,
                          enum pw_mechanics mechanics)
 {
     open_fixture(fx, kernel, mechanics, 1, 0);
+}
+
+void fixture_open_tapered(struct fixture *fx, const struct hobe_kernel *kernel,
+                          enum pw_mechanics mechanics, int symmetry)
+{
+    open_fixture(fx, kernel, mechanics, 1, symmetry);
 }
 
 void fixture_open_symmetric(struct fixture *fx, const struct hobe_kernel *kernel,

@@ -35,6 +35,10 @@ void fixture_open_curved(struct fixture *fx, const struct hobe_kernel *kernel,
 /* The same, straight and prismatic, with a section that is its own mirror image. */
 void fixture_open_symmetric(struct fixture *fx, const struct hobe_kernel *kernel,
                             enum pw_mechanics mechanics, int symmetry);
+/* The same, straight, with section functions that grow along the element: HOBE_SYMMETRIC_X is lost.
+ */
+void fixture_open_tapered(struct fixture *fx, const struct hobe_kernel *kernel,
+                          enum pw_mechanics mechanics, int symmetry);
 void fixture_close(struct fixture *fx);
 
 /* From now on both plans have only the numbers that this symmetry leaves, and force and tangent are

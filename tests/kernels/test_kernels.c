@@ -86,6 +86,18 @@ static void check_products(const struct hobe_kernel *kernel)
         }
 }
 
+/* The plan from station to station where functions of a symmetric section vary along the axis. */
+static void check_tapered(const struct hobe_kernel *kernel)
+{
+    const int z = HOBE_SYMMETRIC_Z, symmetries[] = {HOBE_SYMMETRIC_Y, z, HOBE_SYMMETRIC_Y | z};
+    for (int i = 0; kernel->functions && i < 3; i++) {
+        struct fixture fx;
+        fixture_open_tapered(&fx, kernel, PW_AVERAGE, symmetries[i]);
+        check_plans(&fx);
+        fixture_close(&fx);
+    }
+}
+
 static int built_in(const char *name)
 {
     for (int i = 0; hobe_kernels()[i]; i++)
@@ -121,6 +133,7 @@ int main(int argc, char **argv)
             check_kernel(hobe_kernels()[i]);
             check_curved(hobe_kernels()[i]);
             check_products(hobe_kernels()[i]);
+            check_tapered(hobe_kernels()[i]);
         }
     return check_report() ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -296,11 +296,16 @@ static void drift(const hobe_section *section)
 
 /* ---- forces ---------------------------------------------------------------------------------- */
 
-/* What holds a beam and its weight make its momentum change; its free end carries nothing. */
+/* What holds a beam, its weight and what damps its mass make its momentum change; its free end
+ * carries nothing. */
 static void forces(const hobe_section *section)
 {
     struct hobe_error err;
-    hobe_model *model = bar("MGD30w", 4, section, 1e8);
+    struct hobe_beam beam = beam_along_x("MGD30w", 4, section, 1e8, 0.3, 1);
+    hobe_model *model = new_model();
+    beam.material.rho = RHO;
+    beam.damping = (struct hobe_damping){.mass = 3, .stiffness = 1e-3};
+    add_beam(model, &beam);
     const struct hobe_clamp clamp = {NULL, "beam", "clamp", 0, 0};
     struct hobe_resultants cut;
     expect_ok(hobe_model_clamp(model, &clamp, &err), &err);
@@ -314,8 +319,8 @@ static void forces(const hobe_section *section)
         mass_translation(model, a, one);
         weight = mass_product(model, one, one) * 9.81;
         check_absolute(reaction.force[a] - (a == 2 ? weight : 0),
-                       mass_product(model, one, state->w), 1e-9 * weight,
-                       "force and momentum along %c", "xyz"[a]);
+                       mass_product(model, one, state->w) + 3 * mass_product(model, one, state->v),
+                       1e-9 * weight, "force and momentum along %c", "xyz"[a]);
     }
     expect_ok(hobe_solution_resultants(state, "beam", 1, HOBE_CUT_FORCES, &cut, &err), &err);
     check_that(norm(cut.force) <= 1e-7 * weight, "the free end carries %g N", norm(cut.force));
@@ -352,7 +357,7 @@ static void accuracy(const hobe_section *section)
     double u[3][3];
     fall(section, (struct hobe_dynamic){.to = 0.3, .accuracy = 1e-5}, u[0], info);
     fall(section, (struct hobe_dynamic){.to = 0.3, .accuracy = 1e-5, .step = 2e-3}, u[1], info + 1);
-    fall(section, (struct hobe_dynamic){.to = 0.3, .step = 1e-4, .store = 0.1}, u[2], info + 2);
+    fall(section, (struct hobe_dynamic){.to = 3 * 0.1, .step = 1e-4, .store = 0.1}, u[2], info + 2);
     check_that(info[0].largest_step > 2 * info[0].smallest_step, "the step grows");
     check_that(info[1].largest_step <= 2e-3, "but not beyond what is asked: %g",
                info[1].largest_step);

@@ -1,4 +1,4 @@
--- expect: bad/key_beam\.lua:6: beam: unknown key "elemnts", did you mean "elements"\? \(keys: name, .*integration\)$
+-- expect: bad/key_beam\.lua:6: beam: unknown key "elemnts", did you mean "elements"\? \(keys: name, .*integration, damping\)$
 local hobe = require "hobe"
 local section = hobe.rectangle{ width = 0.01, height = 0.02 }
 local steel = { E = 210e9, nu = 0.3, rho = 7850 }
