@@ -1,8 +1,8 @@
 -- A right-angle cantilever vibrates out of its plane, far.
 --
--- Simo & Vu-Quoc 1988, Comput. Methods Appl. Mech. Eng. 66, 125: two legs of 10, a force on the elbow
--- that grows to 50 at t = 1 and is gone at t = 2 (no units).  A rod with EA = GA = 1e6, EI = GJ = 1e3,
--- a mass of 1 a length and inertias of its sections of 20 about the axis, 10 across.
+-- Simo & Vu-Quoc 1988, Comput. Methods Appl. Mech. Eng. 66, 125: two legs of 10, a force on the
+-- elbow that grows to 50 at t = 1 and is gone at t = 2 (no units).  A rod with EA = GA = 1e6, EI =
+-- GJ = 1e3, a mass of 1 a length and inertias of its sections of 20 about the axis, 10 across.
 --
 -- No section of one material has these.  A square of the same EA and EI, nu = 0, has GJ = EI where
 -- its sections stay plane, as those of MGD30 do, and GA = EA with a shear factor of 2 on the mean
@@ -10,8 +10,9 @@
 -- the axis, 999/1000 of all mass; theirs is the inertia of the sections.  The sections can stretch
 -- and shear, which is stiff.
 --
--- They printed curves, no numbers.  Expected: our own, converged (64 elements a leg, steps of 1/160:
--- four digits); 3333, another interpolation, is within 2e-3 of the largest with 32 elements.
+-- They printed curves, no numbers.  Expected: our own, converged (64 elements a leg, steps of
+-- 1/160: four digits); 3333, another interpolation, is within 2e-3 of the largest with 32
+-- elements.
 local hobe = require "hobe"
 
 local n, element = hobe.param("n", 8), hobe.param("element", "MGD30")
@@ -45,14 +46,15 @@ leg("second", {L, 0, 0}, {L, L, 0})
 add(hobe.join{ "first", "second", at = {1, 0} })
 add(hobe.clamp{ "first", at = 0, warping = "free" })
 add(hobe.force{ "second", at = 0, value = {0, 0, 50}, history = { {0, 0}, {1, 1}, {2, 0} } })
-local d = hobe.dynamic(hobe.scene(items), { to = 30, step = hobe.param("step", 0.025), store = 0.1 })
+local scene = hobe.scene(items)
+local d = hobe.dynamic(scene, { to = 30, step = hobe.param("step", 0.025), store = 0.1 })
 
-local t, elbow, tip, kinetic, strain, states, worst = {}, {}, {}, {}, {}, {}, 0
+local t, elbow, tip, states, worst = {}, {}, {}, {}, 0
 local free = d:energies(21)                           -- at t = 2
 for i, time in ipairs(d.times) do
   local state, e = d:state(i), d:energies(i)
-  t[i], kinetic[i], strain[i] = time, e.kinetic, e.strain
-  elbow[i], tip[i] = state:displacement("second", 0)[3], state:displacement("second", 1)[3]
+  t[i], elbow[i], tip[i] = time, state:displacement("second", 0)[3],
+                           state:displacement("second", 1)[3]
   if time > 2 then
     worst = math.max(worst, math.abs(e.kinetic + e.strain - free.kinetic - free.strain))
   end
@@ -62,7 +64,8 @@ for i, time in ipairs(d.times) do
 end
 hobe.plot{
   file = "right_angle.png", title = "Right-angle cantilever, out of its plane", xlabel = "t",
-  ylabel = "u3", series = { { x = t, y = elbow, label = "elbow" }, { x = t, y = tip, label = "tip" } },
+  ylabel = "u3",
+  series = { { x = t, y = elbow, label = "elbow" }, { x = t, y = tip, label = "tip" } },
 }
 hobe.picture{
   file = "right_angle_states.png", title = "Right-angle cantilever", states = states, colour = "uz",

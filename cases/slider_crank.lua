@@ -1,19 +1,19 @@
 -- A slider-crank with an elastic rod: how far the rod bends at 150 rad/s.
 --
--- The mechanism of Jonker 1989 and Meijaard 1991: a rigid crank r = 0.15 m, a steel rod l = 0.3 m of
--- 6 mm, E 200 GPa, 7870 kg/m^3, on a slider of half its mass; no gravity.  At the start it is in line,
--- and moves as a stiff one does.
+-- The mechanism of Jonker 1989 and Meijaard 1991: a rigid crank r = 0.15 m, a steel rod l = 0.3 m
+-- of 6 mm, E 200 GPa, 7870 kg/m^3, on a slider of half its mass; no gravity.  At the start it is
+-- in line, and moves as a stiff one does.
 --
--- Expected, of a rod 10000 times as stiff: x = r cos(phi) + sqrt(l^2 - r^2 sin^2(phi)).  Of the steel
--- rod: its first mode, w = q sin(pi s/l) off the chord, at the angle b, from the pin P to the slider,
--- under the stiff rod's acceleration a(s) = P'' + b'' s n - b'^2 s e and tension N(s),
+-- Expected, of a rod 10000 times as stiff: x = r cos(phi) + sqrt(l^2 - r^2 sin^2(phi)).  Of the
+-- steel rod: its first mode, w = q sin(pi s/l) off the chord, at the angle b, from the pin P to
+-- the slider, under the stiff rod's acceleration a(s) = P'' + b'' s n - b'^2 s e and tension N(s),
 --
 --     rho A l/2 (q'' - b'^2 q) + (EI (pi/l)^4 l/2 + int N (pi/l)^2 cos^2(pi s/l) ds) q
 --         = -rho A int a.n sin(pi s/l) ds,
 --
--- which we integrate by Runge and Kutta's method, with what q adds to N at first order.  It leaves out
--- the third mode, and what the rod's shortening by bending does to the slider, (w/l)^2: little, but
--- for nine periods: 3 % of the motion.  Nothing printed is compared.
+-- which we integrate by Runge and Kutta's method, with what q adds to N at first order.  It leaves
+-- out the third mode, and what the rod's shortening by bending does to the slider, (w/l)^2:
+-- little, but for nine periods: 3 % of the motion.  Nothing printed is compared.
 local hobe = require "hobe"
 
 local r, l, speed = 0.15, 0.3, 150                    -- m, m, rad/s
@@ -57,7 +57,7 @@ local function bend(t, q, v)
   local end_e = (end_n*sb - slider*x2)/cb
   local N = end_e*l/2 - rho*A*(along*l^2/4 - b1^2*l^3*(1/3 - 1/(4*math.pi^2))/2
                                - (2*b1*v + b2*q)*l^2/(2*math.pi))
-  -- what it is given at the slider grows by rho A l/pi (q'' - b'^2 q), N's integral by sb/cb l/2 that
+  -- end_n grows by rho A l/pi (q'' - b'^2 q) with q, N by sb/cb l/2 of that
   return b1^2*q - (((E*I*(math.pi/l)^4 + 2/l*(math.pi/l)^2*N)/(rho*A)*q
                     + 2/l*(2*l/math.pi*across + l^2/math.pi*b2)) / (1 + math.pi/l*q*sb/cb))
 end
@@ -110,7 +110,9 @@ end
 hobe.plot{
   file = "slider_crank.png", title = "The rod's middle off its chord", xlabel = "turns",
   ylabel = "w/l",
-  series = { { x = turns, y = found, label = "beam" }, { x = turns, y = theory, label = "first mode" } },
+  series = {
+    { x = turns, y = found, label = "beam" }, { x = turns, y = theory, label = "first mode" },
+  },
 }
 hobe.picture{
   file = "slider_crank_states.png", title = "Connecting rod", states = states, colour = "mises",
