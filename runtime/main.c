@@ -148,7 +148,8 @@ static int run_script(struct run *run)
     int status = lua_pcall(L, 1, 1, 0);
     hobe_lua_check_memory();
     hobe_lua_pause_clock();
-    if (status != LUA_OK) /* it would fail again: only what was killed goes on */
+    if (status != LUA_OK &&
+        !hobe_lua_context(L)->resume) /* it would fail again; another's may not */
         hobe_lua_drop_journals(L);
     const char *message = lua_tostring(L, -1);
     if (message)
