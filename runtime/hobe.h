@@ -691,10 +691,10 @@ struct hobe_solution_info {
                         stable, as it may be with some where the scene spins (hobe_modal tells);
                         -1: not counted, as by hobe_static but by series */
     double residual; /* of the last iteration */
-    double change;   /* of the displacements by one more iteration, relative to their size, in the
-                        norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
-                        and round-off leave open; NaN where the stiffness has no factors, 0 on a
-                        path or without load */
+    double change;   /* of the displacements by a last correction, beyond what tolerance asked for,
+                        relative to their size, in the norm sum u^2 K_0 over the diagonal of the
+                        stiffness at rest; it is taken, and round-off leaves less than that open (by
+                        series, which leave it, so much); NaN where the stiffness has no factors */
     double energy;   /* strain energy, that of springs included, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */

@@ -36,7 +36,7 @@ static const double ROUND_OFF = 8 * DBL_EPSILON;
 /* Below this share of the first residual of a step, its square adds no stress worth a thought. */
 static const double NEAR = 0.1;
 
-/* Displacements that one more iteration would change by more than this share are none. */
+/* Displacements that one more correction changes by more than this share are none. */
 static const double LOST = 0.01;
 
 void solver_log(struct solver *s, const char *note)
@@ -239,22 +239,27 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
     return GOING_ON;
 }
 
-/* Measures what one more iteration would change: a residual of round-off may move a slender beam
- * far.  FAILED where that leaves nothing. */
-static enum outcome measure_change(struct solver *s, struct hobe_error *err)
+enum outcome solver_measure(struct solver *s)
 {
     const double size = solver_norm(s, s->u, -1);
-    const enum outcome outcome = size > 0 ? solver_factor(s, err) : FAILED;
-    s->info.change = size > 0 ? NAN : 0;
-    if (outcome != CONVERGED)
-        return outcome == ERROR ? ERROR : CONVERGED;
-    if (solver_solve(s, s->r, -1, s->x, err))
-        return ERROR;
-    s->info.change = correction_norm(s) / size;
+    s->info.change = size > 0 ? correction_norm(s) / size : 0;
     if (s->info.change <= LOST)
         return CONVERGED;
     solver_log(s, "lost in round-off");
     return FAILED;
+}
+
+/* Takes one more correction, where there are factors. */
+static enum outcome refine(struct solver *s, struct hobe_error *err)
+{
+    const enum outcome outcome = solver_factor(s, err);
+    s->info.change = NAN;
+    if (outcome != CONVERGED)
+        return outcome == ERROR ? ERROR : CONVERGED;
+    if (solver_solve(s, s->r, -1, s->x, err))
+        return ERROR;
+    solver_move(s, s->x, 1);
+    return solver_measure(s);
 }
 
 /* Newton from the current state to equilibrium at a load factor. */
@@ -274,7 +279,7 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
             first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
-            return outcome == CONVERGED ? measure_change(s, err) : outcome;
+            return outcome == CONVERGED ? refine(s, err) : outcome;
         last_norm = norm;
         outcome = solver_factor(s, err);
         if (outcome != CONVERGED)
