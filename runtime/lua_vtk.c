@@ -188,10 +188,10 @@ const struct hobe_lua_entry hobe_lua_vtk_entries[] = {
     {"vtk", write_vtk, "hobe.vtk{file = \"beam.vtu\", state = r}",
      "A file for ParaView in the output folder: a state, a series of states or a motion (.pvd), "
      "or a mode shape as wedges that are quadratic along and across, with the section as it is, in "
-     "the reference; "
-     "and at each point `displacement`, m (for Warp By Vector), and of states `stress` (Cauchy, "
-     "global axes, Pa), `strain` (Green-Lagrange, on the section's axes before the load), both xx, "
-     "yy, zz, xy, yz, xz, and `von Mises`, Pa; no stress where a beam has none, as 3333s.  "
+     "the reference; and at each point `displacement`, m (for Warp By Vector), and of states "
+     "`stress` (Cauchy, global axes, Pa), `strain` (Green-Lagrange, on the section's axes before "
+     "the load), both xx, yy, zz, xy, yz, xz, and `von Mises`, Pa; no stress where a beam has "
+     "none, as 3333s.  "
      "Times of a motion are in s.",
      &vtk_schema, NULL},
     {0}};
