@@ -527,9 +527,9 @@ static void angle_series(int k, const double e[3], const taylor3 slope, double m
 }
 
 static void add_moment_series(const struct hobe_model *model, const struct hobe_moment *moment,
-                              const double *const *u, int known, int k, double *Q)
+                              const double *const *u, double time, int known, int k, double *Q)
 {
-    const double factor = drive_factor(model, moment->history, AT_REST.time, moment->where);
+    const double factor = drive_factor(model, moment->history, time, moment->where);
     struct station s;
     taylor3 slope[2];
     find_station(model, moment->beam, moment->at, NULL, u[0], &s);
@@ -544,9 +544,9 @@ static void add_moment_series(const struct hobe_model *model, const struct hobe_
 
 /* The axes of section_axes, and of them the force. */
 static void add_follower_series(const struct hobe_model *model, const struct hobe_force *force,
-                                const double *const *u, int known, int k, double *Q)
+                                const double *const *u, double time, int known, int k, double *Q)
 {
-    const double factor = drive_factor(model, force->history, AT_REST.time, force->where);
+    const double factor = drive_factor(model, force->history, time, force->where);
     struct station s;
     taylor3 slope[2], n = {{0}}, t[3] = {{{0}}};
     taylor size;
@@ -565,22 +565,22 @@ static void add_follower_series(const struct hobe_model *model, const struct hob
     add_force(model, &s, 0, F, factor, Q);
 }
 
-void load_series(const struct hobe_model *model, const double *const *u, int known, int k,
-                 double *Q)
+void load_series(const struct hobe_model *model, const double *const *u,
+                 const struct instant *instant, int known, int k, double *Q)
 {
     memset(Q, 0, (size_t)(3 * model->vectors) * sizeof *Q);
     if (k == 0) {
-        load_subtract(model, u[0], &AT_REST, -1, Q, NULL);
+        load_subtract(model, u[0], instant, -1, Q, NULL);
         return;
     }
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         if (force->follower)
-            add_follower_series(model, force, u, known, k, Q);
+            add_follower_series(model, force, u, instant->time, known, k, Q);
     }
     for (size_t i = 0; i < model->moments.count; i++)
-        add_moment_series(model, (const struct hobe_moment *)model->moments.item + i, u, known, k,
-                          Q);
+        add_moment_series(model, (const struct hobe_moment *)model->moments.item + i, u,
+                          instant->time, known, k, Q);
 }
 
 /* ---- inside an element ----------------------------------------------------------------------- */

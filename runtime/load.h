@@ -15,9 +15,10 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
                    double factor, double *r, const struct matrix *K);
 
 /* Q[vectors][3] = the coefficient of a^k of the forces of all loads along the states u_0 + a u_1 +
- * ... + a^(known-1) u_(known-1), u[known]; known <= k + 1, k <= TAYLOR_ORDER (taylor.h). */
-void load_series(const struct hobe_model *model, const double *const *u, int known, int k,
-                 double *Q);
+ * ... + a^(known-1) u_(known-1), u[known], at rest at the instant; known <= k + 1, k <=
+ * TAYLOR_ORDER (taylor.h). */
+void load_series(const struct hobe_model *model, const double *const *u,
+                 const struct instant *instant, int known, int k, double *Q);
 
 /* f[vectors][3] += factor * the forces of the loads on element e of a beam that do not act at its
  * ends: its weight, and what acts between them.  As above, errors of the caller's functions wait in

@@ -554,7 +554,8 @@ static enum hobe_status start(struct follower *f, struct hobe_error *err)
     const struct hobe_joint *driven = drive_joint(model);
     if (driven)
         return hobe_fail(err, HOBE_BAD_INPUT, driven->where,
-                         "a path follows loads and cannot follow a driven joint; use hobe.static");
+                         "a path follows loads and cannot follow a driven joint; use hobe.static "
+                         "with method = \"newton\"");
     if (!(s->load_norm > 0))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "a path needs loads, and the scene has none");
     const enum outcome outcome = count_and_factor(f, err);

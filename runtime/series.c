@@ -3,6 +3,7 @@
 
 #include "constraint.h"
 #include "load.h"
+#include "spring.h"
 #include "taylor.h"
 #include "vector3.h"
 
@@ -14,25 +15,34 @@ static long size_of(const struct series *series)
     return 3 * series->s->model->vectors;
 }
 
-static int has_function(const struct hobe_model *model)
+static const struct hobe_force *find_function(const struct hobe_model *model)
 {
     const struct hobe_force *force = model->forces.item;
     for (size_t i = 0; i < model->forces.count; i++)
         if (force[i].function)
-            return 1;
-    return 0;
+            return force + i;
+    return NULL;
 }
 
 /* What a series would have to know the powers of, and does not. */
 static enum hobe_status check(const struct hobe_model *model, struct hobe_error *err)
 {
-    const char *unknown = model->spin.speed != 0     ? "a scene that spins"
-                          : model->springs.count > 0 ? "springs"
-                          : has_function(model)      ? "forces that are functions of the state"
-                                                     : NULL;
+    const struct hobe_force *function = find_function(model);
+    const struct spring *spring = model->springs.count > 0 ? model->springs.item : NULL;
+    const char *unknown = NULL, *where = NULL;
+    if (model->spin.speed != 0) {
+        unknown = "a scene that spins";
+        where = model->spin.where;
+    } else if (spring) {
+        unknown = "springs";
+        where = spring->spec.where;
+    } else if (function) {
+        unknown = "forces that are functions of the state";
+        where = function->where;
+    }
     if (!unknown)
         return HOBE_OK;
-    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+    return hobe_fail(err, HOBE_BAD_INPUT, where,
                      "method = \"series\" knows no power series of %s; use method = \"newton\"",
                      unknown);
 }
@@ -77,12 +87,13 @@ static void add(long n, double factor, const double *x, double *y)
 static void gather_known(struct series *series, int k)
 {
     const struct hobe_model *model = series->s->model;
+    const struct instant *instant = &series->s->motion.instant;
     const double *const *u = (const double *const *)series->u;
     const long n = size_of(series);
     assemble_series(model, k, u[k - 1], &series->table, series->f);
     constraint_series(model, u, k, k, series->f);
-    load_series(model, u, k, k - 1, series->Q[k - 1]);
-    load_series(model, u, k, k, series->more);
+    load_series(model, u, instant, k, k - 1, series->Q[k - 1]);
+    load_series(model, u, instant, k, k, series->more);
     add(n, -series->lambda[0], series->more, series->f);
     for (int i = 1; i < k; i++)
         add(n, -series->lambda[i], series->Q[k - i], series->f);
@@ -111,7 +122,7 @@ enum hobe_status series_expand(struct series *series, double lambda, const doubl
     struct solver *s = series->s;
     memcpy(series->u[0], s->u, (size_t)size_of(series) * sizeof *s->u);
     series->lambda[0] = lambda;
-    load_series(s->model, (const double *const *)series->u, 1, 0, series->Q[0]);
+    load_series(s->model, (const double *const *)series->u, &s->motion.instant, 1, 0, series->Q[0]);
     enum hobe_status status = solver_solve(s, series->Q[0], 1, series->q, err);
     for (int k = 1; !status && k <= SERIES_ORDER; k++) {
         gather_known(series, k);

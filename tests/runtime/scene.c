@@ -109,6 +109,19 @@ void add_moment(hobe_model *model, const char *beam, double at, double x, double
     expect_ok(hobe_model_moment(model, &moment, &err), &err);
 }
 
+void add_body(hobe_model *model, const struct hobe_body *body)
+{
+    struct hobe_error err;
+    expect_ok(hobe_model_body(model, body, &err), &err);
+}
+
+void add_joint(hobe_model *model, const struct hobe_joint *joint)
+{
+    struct hobe_error err;
+    if (hobe_model_joint(model, joint, &err))
+        check_stop("%s: %s", hobe_joint_name(joint->kind), err.message);
+}
+
 hobe_element *new_element(const struct hobe_element_options *options)
 {
     struct hobe_error err;

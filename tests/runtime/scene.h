@@ -32,6 +32,8 @@ void add_join(hobe_model *model, const char *first, double at, const char *secon
 void add_force(hobe_model *model, const char *beam, double at, double x, double y, double z);
 void add_follower(hobe_model *model, const char *beam, double at, double x, double y, double z);
 void add_moment(hobe_model *model, const char *beam, double at, double x, double y, double z);
+void add_body(hobe_model *model, const struct hobe_body *body);
+void add_joint(hobe_model *model, const struct hobe_joint *joint);
 
 /* Equilibrium in `steps` steps, to round-off; ends the test when there is none. */
 hobe_solution *solve(hobe_model *model, int steps);

@@ -18,20 +18,6 @@ static const double E = 70e9, RHO = 2700;
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
 
-static void add_body(hobe_model *model, const struct hobe_body *body)
-{
-    struct hobe_error err;
-    if (hobe_model_body(model, body, &err))
-        check_stop("%s", err.message);
-}
-
-static void add_joint(hobe_model *model, const struct hobe_joint *joint)
-{
-    struct hobe_error err;
-    if (hobe_model_joint(model, joint, &err))
-        check_stop("%s: %s", hobe_joint_name(joint->kind), err.message);
-}
-
 static void add_mass(hobe_model *model, double at, double y, double z, double mass)
 {
     struct hobe_error err;

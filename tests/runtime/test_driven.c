@@ -38,13 +38,6 @@ static double driven(hobe_drive *drive, double t, int p)
     return d[p];
 }
 
-static void add_joint(hobe_model *model, const struct hobe_joint *joint)
-{
-    struct hobe_error err;
-    if (hobe_model_joint(model, joint, &err))
-        check_stop("%s: %s", hobe_joint_name(joint->kind), err.message);
-}
-
 static hobe_solution *solve_at(hobe_model *model, int steps, double time)
 {
     struct hobe_error err;

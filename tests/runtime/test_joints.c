@@ -22,13 +22,6 @@ static int has_axis(enum hobe_joint_kind kind)
     return kind != HOBE_JOINT_FIXED && kind != HOBE_JOINT_SPHERICAL && kind != HOBE_JOINT_DISTANCE;
 }
 
-static void add_joint(hobe_model *model, const struct hobe_joint *joint)
-{
-    struct hobe_error err;
-    if (hobe_model_joint(model, joint, &err))
-        check_stop("%s: %s", hobe_joint_name(joint->kind), err.message);
-}
-
 /* A support called `name` of the beam "beam"; the second axis is that of a universal joint. */
 static void add_support(hobe_model *model, const char *name, double at, enum hobe_joint_kind kind,
                         const double axis[3])

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Paths as power series: every coefficient, for every kind of load and joint, by how the residual
- * of the series falls; how many factorisations a path needs, and that it ends where Newton's does;
- * limit points; starts from other solutions.  Looks into the core (series.h). */
+/* Paths as power series: how many factorisations they need, and that they end where Newton's do;
+ * limit points; what has no series; starts from other solutions. */
 #include "check.h"
 #include "scene.h"
-#include "series.h"
 #include "solution.h"
 
 #include <math.h>
@@ -30,141 +28,6 @@ static hobe_path *follow(hobe_model *model, const struct hobe_path_options *opti
     if (hobe_path_follow(model, options, &path, &err))
         check_stop("hobe_path_follow: %s", err.message);
     return path;
-}
-
-/* ---- coefficients ---------------------------------------------------------------------------- */
-
-/* The residual of a series at a, as a share of the load. */
-static double residual_at(struct series *series, double a)
-{
-    struct solver *s = series->s;
-    solver_evaluate(s, series_move(series, a), NO_TANGENT);
-    return solver_norm(s, s->r, 1) / s->load_norm;
-}
-
-/* The slope of the series beside differences of its states. */
-static void check_slope(const struct series *series, double a, const char *what)
-{
-    const struct solver *s = series->s;
-    const size_t n = (size_t)(3 * s->model->unknowns);
-    const double h = 1e-4 * a; /* its square and, of the series, round-off: 1e-8 or less */
-    double *v = hobe_alloc(3 * n, sizeof *v, NULL), *w[] = {v + n, v + 2 * n};
-    double worst = 0, most = 0;
-    check_absolute(series_slope(series, a, v), 1, 1e-12, "%s: by the load", what);
-    for (int side = 0; side < 2; side++) {
-        series_move(series, side ? a + h : a - h);
-        solver_restrict(s->model, s->u, w[side]);
-    }
-    for (size_t i = 0; i < n; i++) { /* one measure for all, as in solver_norm */
-        worst = fmax(worst, fabs((w[1][i] - w[0][i]) / (2 * h) - v[i]) / s->scale[i]);
-        most = fmax(most, fabs(v[i]) / s->scale[i]);
-    }
-    check_absolute(worst / most, 0, 1e-6, "%s: slope", what);
-    hobe_free(v);
-}
-
-/* The power by which the residual falls between a and a/2, the first a down where it is `most`. */
-static double power_of(struct series *series, double a, double most)
-{
-    while (!(residual_at(series, a) <= most))
-        a *= 0.9;
-    return log2(residual_at(series, a) / residual_at(series, a / 2));
-}
-
-/* A series that ends with its n-th term. */
-static void cut_off(struct series *series, int n)
-{
-    for (int k = n + 1; k <= SERIES_ORDER; k++) {
-        memset(series->u[k], 0, (size_t)(3 * series->s->model->vectors) * sizeof(double));
-        series->lambda[k] = 0;
-    }
-}
-
-/* About a state of load factor 1 the residual of N terms is of order N + 1, and a wrong one among
- * them would be seen as its smaller power. */
-static void check_order(hobe_model *model, const char *what)
-{
-    struct hobe_error err;
-    struct solver s;
-    struct series series;
-    hobe_solution *at = solve(model, 4);
-    const struct hobe_newton options = {0};
-    if (solver_open(&s, model, &options, &err) || series_open(&series, &s, &err))
-        check_stop("%s: %s", what, err.message);
-    memcpy(s.u, at->u, (size_t)(3 * model->vectors) * sizeof *s.u);
-    solver_evaluate(&s, 1, TRUE_TANGENT);
-    if (solver_factor(&s, &err) != CONVERGED || series_expand(&series, 1, NULL, 1, &err))
-        check_stop("%s: no series", what);
-    const double a = series_range(&series, 1e-3);
-    check_slope(&series, a / 2, what);
-    /* Where the residual is 1e-3 the next terms, of either sign, are 0.7 of each other or more. */
-    check_absolute(power_of(&series, a, 1e-3), SERIES_ORDER + 1, 6, "%s: power of the residual",
-                   what);
-    /* Where it is 1e-9 they are a few 0.01 of terms up to the 4th. */
-    for (int n = 4; n > 0; n--) {
-        cut_off(&series, n);
-        check_absolute(power_of(&series, a, 1e-9), n + 1, 0.5, "%s: power of the residual", what);
-    }
-    series_close(&series);
-    solver_close(&s);
-    hobe_solution_free(at);
-    hobe_model_free(model);
-}
-
-static hobe_model *arm(const char *element, const hobe_section *section)
-{
-    const struct hobe_beam beam = beam_along_x(element, 3, section, E, 0.3, 1);
-    return cantilever(&beam, 0);
-}
-
-static void loads(const char *element, const hobe_section *section)
-{
-    double d[3];
-    hobe_model *model = arm(element, section);
-    random_direction(d);
-    add_force(model, "beam", 1, 300 * d[0], 300 * d[1], 300 * d[2]);
-    check_order(model, "a force");
-    model = arm(element, section);
-    random_direction(d);
-    add_moment(model, "beam", 0.8, 500 * d[0], 500 * d[1], 500 * d[2]);
-    check_order(model, "a moment");
-    model = arm(element, section);
-    random_direction(d);
-    add_follower(model, "beam", 1, 200 * d[0], 200 * d[1], 200 * d[2]);
-    add_force(model, "beam", 0.5, 100 * d[2], 100 * d[0], 100 * d[1]);
-    check_order(model, "a follower force");
-}
-
-/* Two beams, the first clamped, the second held by the joint and a support. */
-static void joint(const struct hobe_joint *joint, const hobe_section *section)
-{
-    struct hobe_error err;
-    struct hobe_beam beam = beam_along_x("MGD30w", 2, section, E, 0.3, 0.5);
-    hobe_model *model = cantilever(&beam, 0);
-    const struct hobe_joint support = {.beam = {"outer"}, .at = {1}, .kind = HOBE_JOINT_FIXED};
-    const double gap = joint->kind == HOBE_JOINT_DISTANCE ? 0.2 : 0;
-    beam.name = "outer";
-    beam.from[0] = 0.5 + gap;
-    beam.to[0] = 1 + gap;
-    add_beam(model, &beam);
-    if (hobe_model_joint(model, joint, &err) || hobe_model_joint(model, &support, &err))
-        check_stop("%s", err.message);
-    add_force(model, "beam", 0.9, random_real(20, 50), random_real(50, 100), -100);
-    add_moment(model, "outer", 0.3, 20, random_real(-20, 20), random_real(-20, 20));
-    check_order(model, hobe_joint_name(joint->kind));
-}
-
-static void joints(const hobe_section *section)
-{
-    for (int kind = 0; kind <= HOBE_JOINT_DISTANCE; kind++) {
-        struct hobe_joint is = {
-            .beam = {"beam", "outer"}, .at = {1, 0}, .kind = (enum hobe_joint_kind)kind};
-        if (kind != HOBE_JOINT_FIXED && kind != HOBE_JOINT_SPHERICAL && kind != HOBE_JOINT_DISTANCE)
-            is.axis[1] = 1;
-        if (kind == HOBE_JOINT_UNIVERSAL)
-            is.second[2] = 1;
-        joint(&is, section);
-    }
 }
 
 /* ---- whole paths ----------------------------------------------------------------------------- */
@@ -377,19 +240,59 @@ static void starts(const hobe_section *section)
     hobe_model_free(far);
 }
 
-static void refused(const hobe_section *section)
+/* Frees the model. */
+static void check_refusal(hobe_model *model, const char *words)
 {
     struct hobe_error err;
-    const struct hobe_beam beam = beam_along_x("3333s", 2, section, E, 0.3, 1);
-    hobe_model *model = cantilever(&beam, 0);
     hobe_solution *solution;
     add_force(model, "beam", 1, 0, 0, 1);
     check_that(hobe_static(model, &BY_SERIES, &solution, &err) == HOBE_BAD_INPUT && !solution &&
-                   strstr(err.message, "3333s"),
-               "no polynomial: %s", err.message);
+                   strstr(err.message, words),
+               "%s: %s", words, err.message);
     hobe_model_free(model);
+}
+
+static enum hobe_status no_force(void *context, double t, const double x[3], const double v[3],
+                                 double F[3], struct hobe_error *err)
+{
+    (void)context, (void)t, (void)x, (void)v, (void)err;
+    F[0] = F[1] = F[2] = 0;
+    return HOBE_OK;
+}
+
+/* What has no power series, and what needs none. */
+static void refused(const hobe_section *section)
+{
+    struct hobe_error err;
+    const double point[2][2] = {{0, 0}, {1, 1}};
+    const struct hobe_beam beam = beam_along_x("3333s", 2, section, E, 0.3, 1);
+    struct hobe_beam heavy = beam_along_x("MGD30w", 2, section, E, 0.3, 1);
+    const struct hobe_spring spring = {.beam = {"beam"}, .kind = HOBE_SPRING_BUSHING, .at = {1}};
+    const struct hobe_force force = {.beam = "beam", .at = 1, .function = no_force};
+    const struct hobe_spin spin = {.axis = {0, 0, 1}, .speed = 1};
+    hobe_drive *drive = hobe_drive_points(2, point, HOBE_RAMP, 0, &err);
+    const struct hobe_joint driven = {
+        .beam = {"beam"}, .at = {1}, .kind = HOBE_JOINT_INLINE, .axis = {1}, .position = drive};
+    check_refusal(cantilever(&beam, 0), "that of 3333s (beam \"beam\") is none: use");
+    hobe_model *model = bent(section, 2, 0);
+    if (!drive || hobe_model_spring(model, &spring, &err))
+        check_stop("%s", err.message);
+    check_refusal(model, "no power series of springs; use method = \"newton\"");
     model = bent(section, 2, 0);
-    solution = solve_with(model, &BY_SERIES);
+    if (hobe_model_force(model, &force, &err))
+        check_stop("%s", err.message);
+    check_refusal(model, "no power series of forces that are functions of the state; use");
+    heavy.material.rho = 2700;
+    model = cantilever(&heavy, 0);
+    if (hobe_model_spin(model, &spin, &err))
+        check_stop("%s", err.message);
+    check_refusal(model, "no power series of a scene that spins; use");
+    model = bent(section, 2, 0);
+    add_joint(model, &driven);
+    check_refusal(model, "cannot follow a driven joint; use hobe.static with method = \"newton\"");
+    hobe_drive_free(drive);
+    model = bent(section, 2, 0);
+    hobe_solution *solution = solve_with(model, &BY_SERIES);
     check_that(info_of(solution).load == 1 && info_of(solution).steps == 0, "no load");
     hobe_solution_free(solution);
     hobe_model_free(model);
@@ -399,9 +302,6 @@ int main(void)
 {
     random_start();
     hobe_section *section = rectangle(0.02, 0.03);
-    loads("MGD30w", section);
-    loads("34X3", section);
-    joints(section);
     starts(section);
     refused(section);
     hobe_section_free(section);

@@ -1,4 +1,4 @@
--- expect: bad/drive_path\.lua:7: a path follows loads and cannot follow a driven joint; use hobe\.static$
+-- expect: bad/drive_path\.lua:7: a path follows loads and cannot follow a driven joint; use hobe\.static with method = "newton"$
 local hobe = require "hobe"
 local section = hobe.rectangle{ width = 0.01, height = 0.02 }
 local steel = { E = 210e9, nu = 0.3, rho = 7850 }
