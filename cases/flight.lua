@@ -1,10 +1,10 @@
 -- A rubber rod is thrown by its end and flies on, bent and spinning: what free motion keeps.
 --
--- Noether's theorem: with no loads and no supports, momentum, angular momentum and energy last.  Two
--- pushes by ramps up and down, of the force F and 2 T long in all, leave the momentum F T whatever the
--- rod does (Newton).  Of the three the integrator keeps momentum to rounding: mass is constant, and
--- inner forces sum to nothing; it loses angular momentum and energy by errors of the second order,
--- which halved steps quarter.
+-- Noether's theorem: with no loads and no supports, momentum, angular momentum and energy last.
+-- Two pushes by ramps up and down, of the force F and 2 T long in all, leave the momentum F T
+-- whatever the rod does (Newton).  Of the three the integrator keeps momentum to rounding: mass is
+-- constant, and inner forces sum to nothing; it loses angular momentum and energy by errors of the
+-- second order, which halved steps quarter.
 local hobe = require "hobe"
 
 local L, side, T = 1, 0.02, 0.1                       -- m, m, s

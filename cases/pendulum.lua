@@ -4,10 +4,11 @@
 --
 --     T = 4 sqrt(I/(m g L/2)) K(sin(a/2)) = 2 pi sqrt(I/(m g L/2))/agm(1, cos(a/2)), a = pi/2,
 --
--- I = m (L^2/3 + h^2/12) with the turn of its sections; agm is the arithmetic-geometric mean, K the
--- complete elliptic integral (Gauss).  After a quarter of it the bar hangs and turns with I w^2/2 =
--- m g L/2: the hinge carries m g + m w^2 L/2.  What the steps leave is of the second order, and
--- extrapolated; the elastic bar, which is let go of at once, trembles: 1e-5 of the angle.
+-- I = m (L^2/3 + h^2/12) with the turn of its sections; agm is the arithmetic-geometric mean, K
+-- the complete elliptic integral (Gauss).  After a quarter of it the bar hangs and turns with I
+-- w^2/2 = m g L/2: the hinge carries m g + m w^2 L/2.  What the steps leave is of the second
+-- order, and extrapolated; the elastic bar, which is let go of at once, trembles: 1e-5 of the
+-- angle.
 --
 -- The soft one is of a size that elements of this kind are often tried on, 1.2 m, 200 x 9 mm, E
 -- 0.7 MPa, 5540 kg/m^3, with pictures in print, no numbers.  Expected: our own, converged, where
@@ -27,7 +28,7 @@ local function pendulum(L, n, section, material)
   }
 end
 
--- ---- the stiff one ---------------------------------------------------------------------------------
+-- ---- the stiff one ------------------------------------------------------------------------------
 
 local L, h = 1, 0.04
 local bar = pendulum(L, 2, hobe.square{ side = h }, { E = 210e9, nu = 0.3, rho = 7850 })
@@ -64,7 +65,7 @@ end
 local angle_coarse, force_coarse = hang(100)
 local angle_fine, force_fine = hang(200)
 
--- ---- the soft one ----------------------------------------------------------------------------------
+-- ---- the soft one -------------------------------------------------------------------------------
 
 local l = 1.2
 local soft = pendulum(l, hobe.param("n", 20), hobe.rectangle{ width = 0.2, height = 0.009 },
@@ -82,7 +83,8 @@ hobe.picture{
   view = { azimuth = -90, elevation = 8 }, columns = 3,
 }
 hobe.plot{
-  file = "pendulum_energy.png", title = "Energies of a soft pendulum", xlabel = "t, s", ylabel = "J",
+  file = "pendulum_energy.png", title = "Energies of a soft pendulum",
+  xlabel = "t, s", ylabel = "J",
   series = {
     { x = t, y = loads, label = "work of gravity" }, { x = t, y = kinetic, label = "kinetic" },
     { x = t, y = strain, label = "strain" }, { x = t, y = lost, label = "lost in the steps" },

@@ -21,6 +21,7 @@ PICTURES = {  # case: the picture it draws, its name here
     "gallery": ("gallery.png", "sections.png"),
     "modes": ("modes.png", "modes.png"),
     "torsion_curves": ("fig11.png", "torsion.png"),
+    "shaft": ("shaft.png", "shaft.png"),
 }
 
 

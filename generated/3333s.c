@@ -316,19 +316,15 @@ static void strain(const double *N, const double *Nx, const double (*phi)[4], co
 /* D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0) */
 static void section_vectors(const double *N, const double *Nx, const hobe_real *q, hobe_real *D)
 {
-    for (int i = 0; i < 3 * S; i++) {
+    for (int i = 0; i < 3 * S; i++)
         D[i] = zero;
-    }
     for (int v = 0; v < V; v++) {
         const int k = mode[v];
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a < 3; a++)
             D[3 * k + a] += Nx[v] * q[3 * v + a];
-        }
-        if (k > 0) {
-            for (int a = 0; a < 3; a++) {
+        if (k > 0)
+            for (int a = 0; a < 3; a++)
                 D[3 * (M - 1 + k) + a] += N[v] * q[3 * v + a];
-            }
-        }
     }
 }
 
@@ -341,46 +337,36 @@ static inline hobe_real dot(const hobe_real *a, const hobe_real *b)
 /* x[V][3] = one part of a batch, positions relative to the first node's */
 static void gather(const hobe_real *q, hobe_real *x)
 {
-    for (int v = 0; v < V; v++) {
+    for (int v = 0; v < V; v++)
         for (int a = 0; a < 3; a++) {
             x[3 * v + a] = q[(3 * v + a) * HOBE_PARTS];
-            if (position[v]) {
+            if (position[v])
                 x[3 * v + a] -= q[a * HOBE_PARTS];
-            }
         }
-    }
 }
 
 /* K_vw += w (N_v', N_v) [C] (N_w', N_w)^T for v >= w */
 static void expand(const double *N, const double *Nx, double w, const hobe_real *C, hobe_real *K)
 {
-    for (int v = 0; v < V; v++) {
+    for (int v = 0; v < V; v++)
         for (int u = 0; u < v + 1; u++) {
             const int i = mode[v];
             const int j = mode[u];
             hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(v, u);
             const double cxx = w * Nx[v] * Nx[u], cx = w * Nx[v] * N[u];
             const double xc = w * N[v] * Nx[u], cc = w * N[v] * N[u];
-            for (int e = 0; e < 9; e++) {
+            for (int e = 0; e < 9; e++)
                 k[e * HOBE_PARTS] += cxx * C[9 * ((i) * S + j) + e];
-            }
-            if (j > 0) {
-                for (int e = 0; e < 9; e++) {
+            if (j > 0)
+                for (int e = 0; e < 9; e++)
                     k[e * HOBE_PARTS] += cx * C[9 * ((i) * S + M - 1 + j) + e];
-                }
-            }
-            if (i > 0) {
-                for (int e = 0; e < 9; e++) {
+            if (i > 0)
+                for (int e = 0; e < 9; e++)
                     k[e * HOBE_PARTS] += xc * C[9 * ((M - 1 + i) * S + j) + e];
-                }
-            }
-            if (i > 0 && j > 0) {
-                for (int e = 0; e < 9; e++) {
+            if (i > 0 && j > 0)
+                for (int e = 0; e < 9; e++)
                     k[e * HOBE_PARTS] += cc * C[9 * ((M - 1 + i) * S + M - 1 + j) + e];
-                }
-            }
         }
-    }
 }
 
 /* c = a x b */
@@ -396,19 +382,16 @@ static inline void add_product(const hobe_real *a, const hobe_real *b, hobe_real
 {
     hobe_real p[3];
     vector_product(a, b, p);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         c[i] += p[i];
-    }
 }
 
 /* Y_Ii = e_i.D_I */
 static void components(const hobe_real *e, const hobe_real *D, hobe_real *Y)
 {
-    for (int k = 0; k < S; k++) {
-        for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < S; k++)
+        for (int i = 0; i < 3; i++)
             Y[3 * k + i] = dot(e + 3 * i, D + 3 * k);
-        }
-    }
 }
 
 /* The frame e_1, e_2, e_3 of a section with d_y = a, d_z = b; size = |a x b|, |b| */
@@ -429,14 +412,12 @@ static void frame(const hobe_real *a, const hobe_real *b, hobe_real *e, hobe_rea
 static void unit_change(const hobe_real *n, hobe_real size, const hobe_real *d, hobe_real *t)
 {
     hobe_real v[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         v[i] = size * n[i] + d[i];
-    }
     const hobe_real now = hobe_root(dot(v, v));
     const hobe_real more = (dot(d, d) + 2.0 * size * dot(n, d)) / (now + size);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         t[i] = (d[i] - more * n[i]) / now;
-    }
 }
 
 /* w = L (a, b), the spin of the frame with changes a, b of Y_a = (0, alpha, gamma) and
@@ -464,12 +445,10 @@ static void rod_strains(const hobe_real *kappa, const hobe_real *Y, const hobe_r
                         hobe_real *n)
 {
     hobe_real p[6];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         n[i] = x[i];
-    }
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 6; i++)
         p[i] = x[3 + i];
-    }
     add_product(x + 9, kappa, p);
     add_product(x + 12, kappa, p + 3);
     spin(Y, p, p + 3, n + 3);
@@ -481,9 +460,8 @@ static void rod_strains(const hobe_real *kappa, const hobe_real *Y, const hobe_r
 static void rod_differences(const hobe_real *B, const hobe_real *U, hobe_real *e, hobe_real *n)
 {
     hobe_real D[3 * S], Y[3 * S], x[3 * S], t[9], d[3], size[2], kappa[3];
-    for (int i = 0; i < 3 * S; i++) {
+    for (int i = 0; i < 3 * S; i++)
         D[i] = B[i] - 0.5 * U[i];
-    }
     frame(D + 9, D + 12, e, size);
     components(e, D, Y);
     spin(Y, Y + 3, Y + 6, kappa);
@@ -497,29 +475,23 @@ static void rod_differences(const hobe_real *B, const hobe_real *U, hobe_real *e
     }
     vector_product(t + 6, e, t + 3);
     add_product(e + 6, t, t + 3);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         e[3 + i] += 0.5 * t[3 + i];
-    }
-    for (int k = 0; k < S; k++) {
-        for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < S; k++)
+        for (int i = 0; i < 3; i++)
             x[3 * k + i] = dot(t + 3 * i, B + 3 * k) + dot(e + 3 * i, U + 3 * k);
-        }
-    }
-    for (int i = 0; i < 3 * S; i++) {
+    for (int i = 0; i < 3 * S; i++)
         Y[i] += x[i];
-    }
     rod_strains(kappa, Y, x, n);
-    for (int i = 0; i < 9; i++) {
+    for (int i = 0; i < 9; i++)
         e[i] += 0.5 * t[i];
-    }
 }
 
 /* P_r' = t, (P_a', P_b') = p, nothing yet on a and b */
 static void slope_forces(const hobe_real *t, const hobe_real *p, hobe_real *P)
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         P[i] = t[i];
-    }
     for (int i = 0; i < 6; i++) {
         P[3 + i] = p[i];
         P[9 + i] = zero;
@@ -530,13 +502,11 @@ static void slope_forces(const hobe_real *t, const hobe_real *p, hobe_real *P)
 static void balance(const hobe_real *Y, hobe_real *m, hobe_real *P)
 {
     hobe_real p[6];
-    for (int k = 0; k < S; k++) {
+    for (int k = 0; k < S; k++)
         add_product(P + 3 * k, Y + 3 * k, m);
-    }
     couple(Y, m, p);
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 6; i++)
         P[9 + i] += p[i];
-    }
 }
 
 /* The components of P_I = dW/dD_I, the curvature, and p = L' t_kappa */
@@ -558,11 +528,9 @@ static void rod_force(const hobe_real *t, const hobe_real *D, const hobe_real *e
     hobe_real Y[3 * S], F[3 * S], kappa[3], p[6];
     components(e, D, Y);
     frame_force(t, Y, kappa, p, F);
-    for (int k = 0; k < S; k++) {
-        for (int a = 0; a < 3; a++) {
+    for (int k = 0; k < S; k++)
+        for (int a = 0; a < 3; a++)
             P[3 * k + a] = e[a] * F[3 * k] + e[3 + a] * F[3 * k + 1] + e[6 + a] * F[3 * k + 2];
-        }
-    }
 }
 
 /* C_IJ = d2W/dD_I dD_J of the rod's strains, column by column: the change of rod_force
@@ -574,31 +542,24 @@ static void rod_stiffness(const double *Q, const hobe_real *t, const hobe_real *
     hobe_real kappa[3], w[3], m[3], p[6], q[6], n[NN], s[NN];
     components(e, D, Y);
     frame_force(t, Y, kappa, p, F);
-    for (int j = 0; j < S; j++) {
+    for (int j = 0; j < S; j++)
         for (int b = 0; b < 3; b++) {
-            for (int i = 0; i < 3 * S; i++) {
+            for (int i = 0; i < 3 * S; i++)
                 x[i] = zero;
-            }
-            for (int i = 0; i < 3; i++) {
+            for (int i = 0; i < 3; i++)
                 x[3 * j + i] = e[3 * i + b];
-            }
             spin(Y, x + 9, x + 12, w);
-            for (int k = 0; k < S; k++) {
+            for (int k = 0; k < S; k++)
                 add_product(Y + 3 * k, w, x + 3 * k);
-            }
             rod_strains(kappa, Y, x, n);
-            for (int r = 0; r < NN; r++) {
+            for (int r = 0; r < NN; r++)
                 s[r] = zero;
-            }
-            for (int c = 0; c < NN; c++) {
-                for (int r = 0; r < NN; r++) {
+            for (int c = 0; c < NN; c++)
+                for (int r = 0; r < NN; r++)
                     s[r] += Q[c * NN + r] * n[c];
-                }
-            }
             /* frame_force differentiated */
-            for (int i = 0; i < 3; i++) {
+            for (int i = 0; i < 3; i++)
                 m[i] = s[3 + i];
-            }
             add_product(p, x + 9, m);
             add_product(p + 3, x + 12, m);
             couple(Y, m, q);
@@ -607,22 +568,18 @@ static void rod_stiffness(const double *Q, const hobe_real *t, const hobe_real *
                 add_product(n + 3, p + 3 * i, P + 9 + 3 * i);
                 add_product(kappa, q + 3 * i, P + 9 + 3 * i);
             }
-            for (int i = 0; i < 3; i++) {
+            for (int i = 0; i < 3; i++)
                 m[i] = zero;
-            }
-            for (int k = 0; k < S; k++) {
+            for (int k = 0; k < S; k++)
                 add_product(F + 3 * k, x + 3 * k, m);
-            }
             balance(Y, m, P);
             for (int k = 0; k < S; k++) {
                 hobe_real *f = P + 3 * k, *c_ab = C + 9 * (k * S + j) + b;
                 add_product(w, F + 3 * k, f);
-                for (int a = 0; a < 3; a++) {
+                for (int a = 0; a < 3; a++)
                     c_ab[3 * a] = e[a] * f[0] + e[3 + a] * f[1] + e[6 + a] * f[2];
-                }
             }
         }
-    }
 }
 
 /* s[NS] = the changes of E_yy, E_zz, 2 E_yz where D, their mean, changes by x */
@@ -636,20 +593,17 @@ static void section_strains(const hobe_real *D, const hobe_real *x, hobe_real *s
 /* P_a, P_b += the stresses t[NS] times a and b */
 static void section_stresses(const hobe_real *t, const hobe_real *D, hobe_real *P)
 {
-    for (int a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++)
         P[9 + a] += t[0] * D[9 + a] + t[2] * D[12 + a];
-    }
-    for (int a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++)
         P[12 + a] += t[1] * D[12 + a] + t[2] * D[9 + a];
-    }
 }
 
 /* P_I = dW/dD_I of the section's strains */
 static void section_force(const hobe_real *t, const hobe_real *D, hobe_real *P)
 {
-    for (int i = 0; i < 3 * S; i++) {
+    for (int i = 0; i < 3 * S; i++)
         P[i] = zero;
-    }
     section_stresses(t, D, P);
 }
 
@@ -658,11 +612,10 @@ static void section_stiffness(const double *Q, const hobe_real *t, const hobe_re
                               hobe_real *C)
 {
     hobe_real x[3 * S], P[3 * S], n[NS], s[NS];
-    for (int i = 0; i < 9 * S * S; i++) {
+    for (int i = 0; i < 9 * S * S; i++)
         C[i] = zero;
-    }
-    for (int j = 0; j < S; j++) {
-        if (j >= M) {
+    for (int j = 0; j < S; j++)
+        if (j >= M)
             for (int b = 0; b < 3; b++) {
                 for (int i = 0; i < 3 * S; i++) {
                     x[i] = zero;
@@ -670,24 +623,17 @@ static void section_stiffness(const double *Q, const hobe_real *t, const hobe_re
                 }
                 x[3 * j + b] += 1.0;
                 section_strains(D, x, n);
-                for (int r = 0; r < NS; r++) {
+                for (int r = 0; r < NS; r++)
                     s[r] = zero;
-                }
-                for (int c = 0; c < NS; c++) {
-                    for (int r = 0; r < NS; r++) {
+                for (int c = 0; c < NS; c++)
+                    for (int r = 0; r < NS; r++)
                         s[r] += Q[c * NS + r] * n[c];
-                    }
-                }
                 section_stresses(s, D, P);
                 section_stresses(t, x, P);
-                for (int k = 0; k < S; k++) {
-                    for (int a = 0; a < 3; a++) {
+                for (int k = 0; k < S; k++)
+                    for (int a = 0; a < 3; a++)
                         C[9 * (k * S + j) + 3 * a + b] = P[3 * k + a];
-                    }
-                }
             }
-        }
-    }
 }
 
 /* f = dU/dq, eq. 27, for one part of a batch */
@@ -698,61 +644,47 @@ static void force_part(const struct hobe_invariants *inv, const hobe_real *q0, c
     hobe_real e[9], n[NN], t[NN];
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 3 * V; i++) {
+    for (int i = 0; i < 3 * V; i++)
         f[i * HOBE_PARTS] = zero;
-    }
     for (int g = 0; g < inv->stations; g++) {
         const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
         const double *Qn = inv->Qn + inv->step_n * g;
         const double *Qs = inv->Qs + inv->step_s * g;
         section_vectors(N, Nx, x0, B);
         section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
+        for (int i = 0; i < 3 * S; i++)
             B[i] += 0.5 * U[i];
-        }
         if (g < ROD) {
             rod_differences(B, U, e, n);
-            for (int r = 0; r < NN; r++) {
+            for (int r = 0; r < NN; r++)
                 t[r] = zero;
-            }
-            for (int c = 0; c < NN; c++) {
-                for (int r = 0; r < NN; r++) {
+            for (int c = 0; c < NN; c++)
+                for (int r = 0; r < NN; r++)
                     t[r] += Qn[c * NN + r] * n[c];
-                }
-            }
         }
         if (g >= ROD) {
             section_strains(B, U, n);
-            for (int r = 0; r < NS; r++) {
+            for (int r = 0; r < NS; r++)
                 t[r] = zero;
-            }
-            for (int c = 0; c < NS; c++) {
-                for (int r = 0; r < NS; r++) {
+            for (int c = 0; c < NS; c++)
+                for (int r = 0; r < NS; r++)
                     t[r] += Qs[c * NS + r] * n[c];
-                }
-            }
         }
         /* D = D0 + U */
-        for (int i = 0; i < 3 * S; i++) {
+        for (int i = 0; i < 3 * S; i++)
             B[i] += 0.5 * U[i];
-        }
-        if (g < ROD) {
+        if (g < ROD)
             rod_force(t, B, e, U);
-        }
-        if (g >= ROD) {
+        if (g >= ROD)
             section_force(t, B, U);
-        }
         for (int v = 0; v < V; v++) {
             const int k = mode[v];
             const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
-            for (int a = 0; a < 3; a++) {
+            for (int a = 0; a < 3; a++)
                 f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
-            }
-            if (k > 0) {
-                for (int a = 0; a < 3; a++) {
+            if (k > 0)
+                for (int a = 0; a < 3; a++)
                     f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
-                }
-            }
         }
     }
 }
@@ -772,42 +704,31 @@ static void energy_part(const struct hobe_invariants *inv, const hobe_real *q0, 
         const double *Qs = inv->Qs + inv->step_s * g;
         section_vectors(N, Nx, x0, B);
         section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
+        for (int i = 0; i < 3 * S; i++)
             B[i] += 0.5 * U[i];
-        }
         if (g < ROD) {
             rod_differences(B, U, e, n);
-            for (int r = 0; r < NN; r++) {
+            for (int r = 0; r < NN; r++)
                 t[r] = zero;
-            }
-            for (int c = 0; c < NN; c++) {
-                for (int r = 0; r < NN; r++) {
+            for (int c = 0; c < NN; c++)
+                for (int r = 0; r < NN; r++)
                     t[r] += Qn[c * NN + r] * n[c];
-                }
-            }
         }
         if (g >= ROD) {
             section_strains(B, U, n);
-            for (int r = 0; r < NS; r++) {
+            for (int r = 0; r < NS; r++)
                 t[r] = zero;
-            }
-            for (int c = 0; c < NS; c++) {
-                for (int r = 0; r < NS; r++) {
+            for (int c = 0; c < NS; c++)
+                for (int r = 0; r < NS; r++)
                     t[r] += Qs[c * NS + r] * n[c];
-                }
-            }
         }
         hobe_real w = zero;
-        if (g < ROD) {
-            for (int r = 0; r < NN; r++) {
+        if (g < ROD)
+            for (int r = 0; r < NN; r++)
                 w += n[r] * t[r];
-            }
-        }
-        if (g >= ROD) {
-            for (int r = 0; r < NS; r++) {
+        if (g >= ROD)
+            for (int r = 0; r < NS; r++)
                 w += n[r] * t[r];
-            }
-        }
         const double half = 0.5 * inv->wx[g];
         sum += half * w;
     }
@@ -822,71 +743,54 @@ static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
     hobe_real e[9], n[NN], t[NN];
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 3 * V; i++) {
+    for (int i = 0; i < 3 * V; i++)
         f[i * HOBE_PARTS] = zero;
-    }
-    for (int i = 0; i < 9 * V * (V + 1) / 2; i++) {
+    for (int i = 0; i < 9 * V * (V + 1) / 2; i++)
         K[i * HOBE_PARTS] = zero;
-    }
     for (int g = 0; g < inv->stations; g++) {
         const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
         const double *Qn = inv->Qn + inv->step_n * g;
         const double *Qs = inv->Qs + inv->step_s * g;
         section_vectors(N, Nx, x0, B);
         section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
+        for (int i = 0; i < 3 * S; i++)
             B[i] += 0.5 * U[i];
-        }
         if (g < ROD) {
             rod_differences(B, U, e, n);
-            for (int r = 0; r < NN; r++) {
+            for (int r = 0; r < NN; r++)
                 t[r] = zero;
-            }
-            for (int c = 0; c < NN; c++) {
-                for (int r = 0; r < NN; r++) {
+            for (int c = 0; c < NN; c++)
+                for (int r = 0; r < NN; r++)
                     t[r] += Qn[c * NN + r] * n[c];
-                }
-            }
         }
         if (g >= ROD) {
             section_strains(B, U, n);
-            for (int r = 0; r < NS; r++) {
+            for (int r = 0; r < NS; r++)
                 t[r] = zero;
-            }
-            for (int c = 0; c < NS; c++) {
-                for (int r = 0; r < NS; r++) {
+            for (int c = 0; c < NS; c++)
+                for (int r = 0; r < NS; r++)
                     t[r] += Qs[c * NS + r] * n[c];
-                }
-            }
         }
         /* D = D0 + U */
-        for (int i = 0; i < 3 * S; i++) {
+        for (int i = 0; i < 3 * S; i++)
             B[i] += 0.5 * U[i];
-        }
-        if (g < ROD) {
+        if (g < ROD)
             rod_stiffness(Qn, t, B, e, C);
-        }
-        if (g >= ROD) {
+        if (g >= ROD)
             section_stiffness(Qs, t, B, C);
-        }
         expand(N, Nx, inv->wx[g], C, K);
-        if (g < ROD) {
+        if (g < ROD)
             rod_force(t, B, e, U);
-        }
-        if (g >= ROD) {
+        if (g >= ROD)
             section_force(t, B, U);
-        }
         for (int v = 0; v < V; v++) {
             const int k = mode[v];
             const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
-            for (int a = 0; a < 3; a++) {
+            for (int a = 0; a < 3; a++)
                 f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
-            }
-            if (k > 0) {
-                for (int a = 0; a < 3; a++) {
+            if (k > 0)
+                for (int a = 0; a < 3; a++)
                     f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
-                }
-            }
         }
     }
 }

@@ -623,8 +623,8 @@ static int mixed(const struct hobe_invariants *inv, int g)
     return found;
 }
 
-/* Which parities the element keeps apart (kernel.h). */
-static int symmetry(const struct hobe_invariants *inv)
+/* Which parities the element keeps apart (kernel.h); asked once, so small rather than fast. */
+static __attribute__((cold)) int symmetry(const struct hobe_invariants *inv)
 {
     int kept = HOBE_SYMMETRIES - 1;
     for (int g = 0; g < (inv->step_n ? inv->stations : 1); g++)
@@ -832,19 +832,15 @@ static void section(const struct hobe_invariants *inv)
 /* D[S][3] = d_k' = sum_v N_v' q_v (I = k), and d_k = sum_v N_v q_v (I = M-1+k, k > 0) */
 static void section_vectors(const double *N, const double *Nx, const hobe_real *q, hobe_real *D)
 {
-    for (int i = 0; i < 3 * S; i++) {
+    for (int i = 0; i < 3 * S; i++)
         D[i] = zero;
-    }
     for (int v = 0; v < V; v++) {
         const int k = mode[v];
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a < 3; a++)
             D[3 * k + a] += Nx[v] * q[3 * v + a];
-        }
-        if (k > 0) {
-            for (int a = 0; a < 3; a++) {
+        if (k > 0)
+            for (int a = 0; a < 3; a++)
                 D[3 * (M - 1 + k) + a] += N[v] * q[3 * v + a];
-            }
-        }
     }
 }
 
@@ -857,14 +853,12 @@ static inline hobe_real dot(const hobe_real *a, const hobe_real *b)
 /* x[V][3] = one part of a batch, positions relative to the first node's */
 static void gather(const hobe_real *q, hobe_real *x)
 {
-    for (int v = 0; v < V; v++) {
+    for (int v = 0; v < V; v++)
         for (int a = 0; a < 3; a++) {
             x[3 * v + a] = q[(3 * v + a) * HOBE_PARTS];
-            if (position[v]) {
+            if (position[v])
                 x[3 * v + a] -= q[a * HOBE_PARTS];
-            }
         }
-    }
 }
 
 /* gamma_tv = B_t.C_v + C_t.B_v, gamma_tt = B_t.C_t: with B = y0 + u/2, C = u the Gram
@@ -1233,7 +1227,7 @@ static const double *row_skew(const struct products *of, const double *H, int sy
 /* Q of the rows from the parts that mirror images share */
 static void images(hobe_real *Q)
 {
-    for (int v = OPPOSED; v < V; v++) {
+    for (int v = OPPOSED; v < V; v++)
         for (int u = OPPOSED; u < v + 1; u++) {
             const int m = hobe_pair(v, u);
             const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
@@ -1243,35 +1237,26 @@ static void images(hobe_real *Q)
                 Q[n] = difference;
             }
         }
-    }
 }
 
 /* f_i = sum_j Q_ij x_j, where x_0 = 0; on positions they are in balance */
 static void tensor_force(const hobe_real *Q, const hobe_real *x, hobe_real *f)
 {
-    for (int a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++)
         f[a * HOBE_PARTS] = zero;
-    }
     for (int i = 1; i < V; i++) {
         hobe_real sum[3] = {zero, zero, zero};
-        for (int j = 1; j < i; j++) {
-            for (int a = 0; a < 3; a++) {
+        for (int j = 1; j < i; j++)
+            for (int a = 0; a < 3; a++)
                 sum[a] += Q[hobe_pair(i, j)] * x[3 * j + a];
-            }
-        }
-        for (int j = i; j < V; j++) {
-            for (int a = 0; a < 3; a++) {
+        for (int j = i; j < V; j++)
+            for (int a = 0; a < 3; a++)
                 sum[a] += Q[hobe_pair(j, i)] * x[3 * j + a];
-            }
-        }
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a < 3; a++)
             f[(3 * i + a) * HOBE_PARTS] = sum[a];
-        }
-        if (position[i]) {
-            for (int a = 0; a < 3; a++) {
+        if (position[i])
+            for (int a = 0; a < 3; a++)
                 f[a * HOBE_PARTS] -= sum[a];
-            }
-        }
     }
 }
 
@@ -1292,32 +1277,26 @@ static inline void block(const hobe_real *s, const hobe_real *r, const hobe_real
 /* K_ij = sym_ij + skew_ij + Q_ij 1 from the rows, those of images from their sum and difference */
 static void blocks(const hobe_real *Q, const hobe_real *sym, const hobe_real *skew, hobe_real *K)
 {
-    for (int v = OPPOSED; v < V; v++) {
+    for (int v = OPPOSED; v < V; v++)
         for (int u = OPPOSED; u < v + 1; u++) {
             const int m = hobe_pair(v, u);
             const int n = symmetric(nodal->mirror[v], nodal->mirror[u]);
-            if (m == n) {
+            if (m == n)
                 block(sym + 6 * m, skew + 3 * m, Q + m, K + 9 * HOBE_PARTS * m);
-            }
             if (m < n) {
                 hobe_real s[6], r[3];
-                for (int e = 0; e < 6; e++) {
+                for (int e = 0; e < 6; e++)
                     s[e] = sym[6 * m + e] + sym[6 * n + e];
-                }
-                for (int e = 0; e < 3; e++) {
+                for (int e = 0; e < 3; e++)
                     r[e] = skew[3 * m + e] + skew[3 * n + e];
-                }
                 block(s, r, Q + m, K + 9 * HOBE_PARTS * m);
-                for (int e = 0; e < 6; e++) {
+                for (int e = 0; e < 6; e++)
                     s[e] = sym[6 * m + e] - sym[6 * n + e];
-                }
-                for (int e = 0; e < 3; e++) {
+                for (int e = 0; e < 3; e++)
                     r[e] = skew[3 * m + e] - skew[3 * n + e];
-                }
                 block(s, r, Q + n, K + 9 * HOBE_PARTS * n);
             }
         }
-    }
 }
 
 /* K_i0 = -K_in of two positions 0 and n = LAST */
@@ -1327,58 +1306,47 @@ static void opposed_blocks(hobe_real *K)
         hobe_real *to = K + 9 * HOBE_PARTS * hobe_pair(i, 0);
         if (i < LAST) {
             const hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(LAST, i);
-            for (int a = 0; a < 3; a++) {
-                for (int b = 0; b < 3; b++) {
+            for (int a = 0; a < 3; a++)
+                for (int b = 0; b < 3; b++)
                     to[(3 * a + b) * HOBE_PARTS] = zero - k[(3 * b + a) * HOBE_PARTS];
-                }
-            }
         }
         if (i >= LAST) {
             const hobe_real *k = K + 9 * HOBE_PARTS * hobe_pair(i, LAST);
-            for (int a = 0; a < 3; a++) {
-                for (int b = 0; b < 3; b++) {
+            for (int a = 0; a < 3; a++)
+                for (int b = 0; b < 3; b++)
                     to[(3 * a + b) * HOBE_PARTS] = zero - k[(3 * a + b) * HOBE_PARTS];
-                }
-            }
         }
     }
-    for (int e = 0; e < 9; e++) {
+    for (int e = 0; e < 9; e++)
         K[e * HOBE_PARTS] = K[(9 * hobe_pair(LAST, LAST) + e) * HOBE_PARTS];
-    }
 }
 
 /* K from the rows */
 static void finish(const hobe_real *Q, const hobe_real *sym, hobe_real *skew, hobe_real *K)
 {
-    for (int i = OPPOSED; i < V; i++) {
-        for (int a = 0; a < 3; a++) {
+    for (int i = OPPOSED; i < V; i++)
+        for (int a = 0; a < 3; a++)
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-    }
     blocks(Q, sym, skew, K);
-    if (OPPOSED) {
+    if (OPPOSED)
         opposed_blocks(K);
-    }
 }
 
 /* P_I = dW/dD_I = sum_J Q_IJ D_J */
 static void section_force(const hobe_real *Q, const hobe_real *D, hobe_real *P)
 {
     for (int i = 0; i < S; i++) {
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a < 3; a++)
             P[3 * i + a] = zero;
-        }
         for (int j = 0; j < i; j++) {
             const hobe_real t = Q[hobe_pair(i, j)];
-            for (int a = 0; a < 3; a++) {
+            for (int a = 0; a < 3; a++)
                 P[3 * i + a] += t * D[3 * j + a];
-            }
         }
         for (int j = i; j < S; j++) {
             const hobe_real t = Q[hobe_pair(j, i)];
-            for (int a = 0; a < 3; a++) {
+            for (int a = 0; a < 3; a++)
                 P[3 * i + a] += t * D[3 * j + a];
-            }
         }
     }
 }
@@ -1390,35 +1358,29 @@ static void force_part(const struct hobe_invariants *inv, const hobe_real *q0, c
     hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S], gamma[GRAMS], Q[GRAMS];
     gather(q0, x0);
     gather(u, x);
-    for (int i = 0; i < 3 * V; i++) {
+    for (int i = 0; i < 3 * V; i++)
         f[i * HOBE_PARTS] = zero;
-    }
     for (int g = 0; g < inv->stations; g++) {
         const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
         const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
         section_vectors(N, Nx, x0, B);
         section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
+        for (int i = 0; i < 3 * S; i++)
             B[i] += 0.5 * U[i];
-        }
         column_differences(sectional, B, U, gamma);
         row_stress(sectional, H, inv->symmetry, gamma, Q);
         /* D = D0 + U */
-        for (int i = 0; i < 3 * S; i++) {
+        for (int i = 0; i < 3 * S; i++)
             B[i] += 0.5 * U[i];
-        }
         section_force(Q, B, U);
         for (int v = 0; v < V; v++) {
             const int k = mode[v];
             const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
-            for (int a = 0; a < 3; a++) {
+            for (int a = 0; a < 3; a++)
                 f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
-            }
-            if (k > 0) {
-                for (int a = 0; a < 3; a++) {
+            if (k > 0)
+                for (int a = 0; a < 3; a++)
                     f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
-                }
-            }
         }
     }
 }
@@ -1436,9 +1398,8 @@ static void energy_part(const struct hobe_invariants *inv, const hobe_real *q0, 
         const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
         section_vectors(N, Nx, x0, B);
         section_vectors(N, Nx, x, U);
-        for (int i = 0; i < 3 * S; i++) {
+        for (int i = 0; i < 3 * S; i++)
             B[i] += 0.5 * U[i];
-        }
         column_differences(sectional, B, U, gamma);
         row_stress(sectional, H, inv->symmetry, gamma, Q);
         hobe_real w = zero;
@@ -1458,9 +1419,8 @@ static void polar(const double *N, const double *Nx, const hobe_real *b, const h
 {
     section_vectors(N, Nx, b, B);
     section_vectors(N, Nx, c, C);
-    for (int i = 0; i < 3 * S; i++) {
+    for (int i = 0; i < 3 * S; i++)
         B[i] = 0.5 * B[i];
-    }
 }
 
 /* f = T(a; b, c): Q of the Gram entries of b and c in polar form, applied to D(a) */
@@ -1472,9 +1432,8 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     gather(qa, xa);
     gather(qb, x0);
     gather(qc, x);
-    for (int i = 0; i < 3 * V; i++) {
+    for (int i = 0; i < 3 * V; i++)
         f[i * HOBE_PARTS] = zero;
-    }
     for (int g = 0; g < inv->stations; g++) {
         const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
         const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
@@ -1486,14 +1445,11 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
         for (int v = 0; v < V; v++) {
             const int k = mode[v];
             const double cx = inv->wx[g] * Nx[v], c = inv->wx[g] * N[v];
-            for (int a = 0; a < 3; a++) {
+            for (int a = 0; a < 3; a++)
                 f[(3 * v + a) * HOBE_PARTS] += cx * U[3 * k + a];
-            }
-            if (k > 0) {
-                for (int a = 0; a < 3; a++) {
+            if (k > 0)
+                for (int a = 0; a < 3; a++)
                     f[(3 * v + a) * HOBE_PARTS] += c * U[3 * (M - 1 + k) + a];
-                }
-            }
         }
     }
 }
@@ -1508,29 +1464,25 @@ static void station_rows(const struct hobe_invariants *inv, int g, const hobe_re
     const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
     section_vectors(N, Nx, x0, B);
     section_vectors(N, Nx, x, U);
-    for (int i = 0; i < 3 * S; i++) {
+    for (int i = 0; i < 3 * S; i++)
         B[i] += 0.5 * U[i];
-    }
     column_differences(sectional, B, U, X);
     /* D = D0 + U */
-    for (int i = 0; i < 3 * S; i++) {
+    for (int i = 0; i < 3 * S; i++)
         B[i] += 0.5 * U[i];
-    }
     H = row_stress(sectional, H, inv->symmetry, X, T);
     products(sectional, B, X, Z);
     H = row_symmetric(sectional, H, inv->symmetry, X, sym);
     row_skew(sectional, H, inv->symmetry, Z, skew);
-    for (int i = 0; i < S; i++) {
-        for (int a = 0; a < 3; a++) {
+    for (int i = 0; i < S; i++)
+        for (int a = 0; a < 3; a++)
             skew[3 * hobe_pair(i, i) + a] = zero;
-        }
-    }
 }
 
 /* T + s T' and T - s T' of the rows T of a station and T' = W of its mirror image */
 static void even_and_odd(hobe_real *T, hobe_real *W)
 {
-    for (int i = 0; i < S; i++) {
+    for (int i = 0; i < S; i++)
         for (int j = 0; j < i + 1; j++) {
             const int r = hobe_pair(i, j);
             const int along = (i < M) == (j < M);
@@ -1543,7 +1495,6 @@ static void even_and_odd(hobe_real *T, hobe_real *W)
                 minus[at] = less;
             }
         }
-    }
 }
 
 /* Q and K of the rows of nodal vectors from the rows T of stations, even and odd parts:
@@ -1552,8 +1503,8 @@ static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, 
                          hobe_real *K)
 {
     const int last = MIRRORED ? (inv->stations - 1) / 2 : inv->stations - 1;
-    for (int k = 0; k < M; k++) {
-        for (int l = 0; l < k + 1; l++) {
+    for (int k = 0; k < M; k++)
+        for (int l = 0; l < k + 1; l++)
             for (int i = first_of[k]; i < first_of[k + 1]; i++) {
                 const int end = k == l ? i + 1 : first_of[l + 1];
                 for (int j = first_of[l]; j < end; j++) {
@@ -1642,35 +1593,28 @@ static void nodal_blocks(const struct hobe_invariants *inv, const hobe_real *T, 
                         x[10 * z + 7] = s7;
                         x[10 * z + 8] = s8;
                         x[10 * z + 9] = s9;
-                        if (v == u) {
-                            for (int e = 0; e < 3; e++) {
+                        if (v == u)
+                            for (int e = 0; e < 3; e++)
                                 x[10 * z + 7 + e] = zero;
-                            }
-                        }
                     }
                     if (parts == 1) {
                         Q[m] = x[0];
                         block(x + 1, x + 7, x, K + 9 * HOBE_PARTS * m);
                     }
                     if (parts == 2) {
-                        for (int e = 0; e < 10; e++) {
+                        for (int e = 0; e < 10; e++)
                             y[e] = x[e] + x[10 + e];
-                        }
                         Q[m] = y[0];
                         block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * m);
-                        for (int e = 0; e < 10; e++) {
+                        for (int e = 0; e < 10; e++)
                             y[e] = x[e] - x[10 + e];
-                        }
                         Q[n] = y[0];
                         block(y + 1, y + 7, y, K + 9 * HOBE_PARTS * n);
                     }
                 }
             }
-        }
-    }
-    if (OPPOSED) {
+    if (OPPOSED)
         opposed_blocks(K);
-    }
 }
 
 /* f = dU/dq and K = df/dq, eq. 28, for one part of a batch */
@@ -1681,9 +1625,8 @@ static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
     hobe_real *T = X + 9 * GRAMS - 3 * S;
     gather(q0, x0);
     gather(u, x);
-    for (int g = 0; g < inv->stations; g++) {
+    for (int g = 0; g < inv->stations; g++)
         station_rows(inv, g, x0, x, X, T + 10 * GRAMS * g);
-    }
     const int couples = MIRRORED ? inv->stations / 2 : 0;
     for (int g = 0; g < couples; g++) {
         const int other = inv->stations - 1 - g;
@@ -1691,9 +1634,8 @@ static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
     }
     nodal_blocks(inv, T, Q, K);
     /* D = D0 + U */
-    for (int i = 0; i < 3 * V; i++) {
+    for (int i = 0; i < 3 * V; i++)
         x[i] += x0[i];
-    }
     tensor_force(Q, x, f);
 }
 
@@ -1701,14 +1643,11 @@ static void tangent_part(const struct hobe_invariants *inv, const hobe_real *q0,
 static void column_vectors(const hobe_real *x, hobe_real *y)
 {
     for (int t = 0; t < COLUMNS; t++) {
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a < 3; a++)
             y[3 * t + a] = x[3 * left[t] + a] + sign[t] * x[3 * right[t] + a];
-        }
-        if (shifted[t]) {
-            for (int a = 0; a < 3; a++) {
+        if (shifted[t])
+            for (int a = 0; a < 3; a++)
                 y[3 * t + a] -= x[3 * LAST + a];
-            }
-        }
     }
 }
 
@@ -1721,18 +1660,15 @@ static const double *tensor_state(const struct hobe_invariants *inv, const hobe_
     gather(q0, x0);
     gather(u, x);
     /* gamma from the mean of before and after, and the change: no cancellation */
-    for (int i = 0; i < 3 * V; i++) {
+    for (int i = 0; i < 3 * V; i++)
         x0[i] += 0.5 * x[i];
-    }
     column_vectors(x0, B);
     column_vectors(x, y);
     column_differences(nodal, B, y, gamma);
-    for (int i = 0; i < 3 * V; i++) {
+    for (int i = 0; i < 3 * V; i++)
         x[i] = x0[i] + 0.5 * x[i];
-    }
-    for (int i = 0; i < 3 * COLUMNS; i++) {
+    for (int i = 0; i < 3 * COLUMNS; i++)
         y[i] = B[i] + 0.5 * y[i];
-    }
     const double *H;
     H = row_stress(nodal, inv->tensor, inv->symmetry, gamma, Q);
     images(Q);

@@ -82,10 +82,18 @@ def write(body, depth=1):
             case For():
                 i = node.var
                 head = f"for (int {i} = {node.first}; {i} < {node.last}; {i}++)"
-                lines += [f"{pad}{head} {{", *write(node.body, depth + 1), pad + "}"]
+                lines += _under(pad, head, node.body, depth)
             case If():
-                lines += [f"{pad}if ({node.condition}) {{", *write(node.body, depth + 1), pad + "}"]
+                lines += _under(pad, f"if ({node.condition})", node.body, depth)
     return lines
+
+
+def _under(pad, head, body, depth):
+    """The lines of a body under the head of a loop or condition, in braces unless one statement."""
+    lines = write(body, depth + 1)
+    single = len(body) == 1 and (isinstance(body[0], (For, If))
+                                 or isinstance(body[0], Do) and body[0].text.count(";") == 1)
+    return [pad + head, *lines] if single else [f"{pad}{head} {{", *lines, pad + "}"]
 
 
 class Counter:

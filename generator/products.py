@@ -257,8 +257,8 @@ static int mixed(const struct hobe_invariants *inv, int g)
     return found;
 }
 
-/* Which parities the element keeps apart (kernel.h). */
-static int symmetry(const struct hobe_invariants *inv)
+/* Which parities the element keeps apart (kernel.h); asked once, so small rather than fast. */
+static __attribute__((cold)) int symmetry(const struct hobe_invariants *inv)
 {
     int kept = HOBE_SYMMETRIES - 1;
     for (int g = 0; g < (inv->step_n ? inv->stations : 1); g++)

@@ -30,6 +30,8 @@ static void swing(void *context)
 {
     struct swing *s = context;
     hobe_history *history = NULL;
+    if (s->status)
+        return;
     s->status = hobe_dynamic(s->model, &s->options, &history, s->err);
     if (!s->status)
         hobe_history_info(history, &s->info);

@@ -691,11 +691,10 @@ struct hobe_solution_info {
                         stable, as it may be with some where the scene spins (hobe_modal tells);
                         -1: not counted, as by hobe_static but by series */
     double residual; /* of the last iteration */
-    double change;   /* of the displacements by one more iteration, relative to their size, in the
-                        norm sum u^2 K_0 over the diagonal of the stiffness at rest: what tolerance
-                        and round-off leave open.  The stiffness there is that of the last iteration
-                        where the end was foreseen, else of the end; NaN where it has no factors, 0
-                        on a path or without load */
+    double change;   /* of the displacements by a last correction, beyond what tolerance asked for,
+                        relative to their size, in the norm sum u^2 K_0 over the diagonal of the
+                        stiffness at rest; it is taken, and round-off leaves less than that open (by
+                        series, which leave it, so much); NaN where the stiffness has no factors */
     double energy;   /* strain energy, that of springs included, J */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
@@ -1036,14 +1035,16 @@ struct hobe_modal_options {
 typedef struct hobe_modes hobe_modes;
 
 struct hobe_modes_info {
-    int count;       /* modes found */
-    int buckling;    /* they are of hobe_buckling */
-    int unstable;    /* modes of the scene that grow, wanted or not; -1: not known */
-    long unknowns;   /* scalar unknowns, multipliers included */
-    double mass;     /* of all beams, bodies and masses, kg */
-    double residual; /* of a turning frame: how much a step of inverse iteration would change the
-                        worst of the shapes, relative, whose square is the error of a frequency */
-    double seconds;  /* in hobe_modal without set-up */
+    int count;        /* modes found */
+    int buckling;     /* they are of hobe_buckling */
+    int unstable;     /* modes of the scene that grow, wanted or not; -1: not known */
+    long unknowns;    /* scalar unknowns, multipliers included */
+    double mass;      /* of all beams, bodies and masses, kg */
+    double residual;  /* of a turning frame: how much a step of inverse iteration would change the
+                         worst of the shapes, relative, whose square is the error of a frequency */
+    double round_off; /* of hobe_modal at rest: the largest share of an omega^2 that rounding of the
+                         stiffness may make up, as a rule that of the lowest */
+    double seconds;   /* in hobe_modal without set-up */
     enum hobe_modal_method method; /* that was used */
 };
 

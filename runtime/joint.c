@@ -77,10 +77,13 @@ static enum hobe_status check_drives(const struct hobe_joint *joint, struct hobe
     static const char *const key[2] = {"angle", "position"};
     const enum stopped turn = kinds[joint->kind].turn;
     if (joint->angle && turn != ALL && turn != ACROSS)
-        return hobe_fail(err, HOBE_BAD_INPUT, joint->where,
-                         "a joint of kind %s lets its axis tilt, so that no angle about it can be "
-                         "driven; revolute and cylindrical ones keep it",
-                         kinds[joint->kind].name);
+        return hobe_fail(
+            err, HOBE_BAD_INPUT, joint->where,
+            turn == STIFF
+                ? "the angle of a joint of kind %s cannot be driven; that of kind fixed can"
+                : "a joint of kind %s lets its axis tilt, so that no angle about it "
+                  "can be driven; revolute and cylindrical ones keep it",
+            kinds[joint->kind].name);
     for (int i = 0; i < 2; i++)
         if (drive[i] && !isnan(drive_jump(drive[i])))
             return hobe_fail(err, HOBE_BAD_INPUT, joint->where,

@@ -10,7 +10,7 @@ static void print_type(FILE *to, const struct hobe_lua_key *key)
         [KEY_NUMBER] = "number", [KEY_WHOLE] = "whole number", [KEY_TEXT] = "string",
         [KEY_FLAG] = "boolean",  [KEY_VECTOR] = "{x, y, z}",   [KEY_PAIR] = "{a, b}",
         [KEY_GROUP] = "table",   [KEY_SECTION] = "section",    [KEY_RESULT] = "result",
-        [KEY_MODES] = "modes",   [KEY_LIST] = "list"};
+        [KEY_MODES] = "modes",   [KEY_HISTORY] = "motion",     [KEY_LIST] = "list"};
     if (key->type != KEY_CHOICE) {
         fputs(key->type == KEY_OTHER ? key->choices : words[key->type], to);
         return;

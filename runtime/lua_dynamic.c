@@ -10,7 +10,7 @@
 
 /* Its user values are the scene and the results of the states asked for so far. */
 struct history {
-    hobe_history *history;
+    hobe_history *history; /* first: KEY_HISTORY reads it */
     hobe_journal *journal; /* while it is solved */
 };
 
@@ -68,12 +68,12 @@ static void write_rows(struct hobe_lua *context, const hobe_history *history)
 
 static const hobe_history *check_history(lua_State *L)
 {
-    return ((const struct history *)luaL_checkudata(L, 1, "hobe.history"))->history;
+    return ((const struct history *)luaL_checkudata(L, 1, HOBE_LUA_HISTORY))->history;
 }
 
 static int finalize(lua_State *L)
 {
-    struct history *history = luaL_checkudata(L, 1, "hobe.history");
+    struct history *history = luaL_checkudata(L, 1, HOBE_LUA_HISTORY);
     hobe_history_free(history->history);
     journal_close(history->journal);
     *history = (struct history){NULL, NULL};
@@ -131,20 +131,28 @@ static int read_index(lua_State *L, const hobe_history *history, const char *nam
     return i - 1;
 }
 
+const hobe_solution *hobe_lua_push_state(lua_State *L, int motion, int i)
+{
+    struct history *history = lua_touserdata(L, motion);
+    lua_getiuservalue(L, motion, STATES);
+    if (lua_rawgeti(L, -1, i + 1) == LUA_TNIL) {
+        lua_getiuservalue(L, motion, SCENE);
+        *hobe_lua_new_result(L, -1) = hobe_history_take(history->history, i);
+        lua_replace(L, -3); /* the nil */
+        lua_pop(L, 1);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, i + 1);
+    }
+    lua_remove(L, -2);
+    return *(hobe_solution **)lua_touserdata(L, -1);
+}
+
 /* d:state(i) */
 static int state(lua_State *L)
 {
-    struct history *history = luaL_checkudata(L, 1, "hobe.history");
+    const hobe_history *history = check_history(L);
     lua_settop(L, 2);
-    const int i = read_index(L, history->history, "state");
-    lua_getiuservalue(L, 1, STATES);
-    const int states = lua_gettop(L);
-    if (lua_rawgeti(L, states, i + 1) == LUA_TNIL) {
-        lua_getiuservalue(L, 1, SCENE);
-        *hobe_lua_new_result(L, -1) = hobe_history_take(history->history, i);
-        lua_pushvalue(L, -1);
-        lua_rawseti(L, states, i + 1);
-    }
+    hobe_lua_push_state(L, 1, read_index(L, history, "state"));
     return 1;
 }
 
@@ -264,7 +272,7 @@ static int solve_dynamic(lua_State *L)
     read_start(L, &options.dynamic);
     struct history *history = lua_newuserdatauv(L, sizeof *history, 2);
     *history = (struct history){NULL, NULL};
-    hobe_lua_set_type(L, "hobe.history", finalize, hobe_lua_history_methods, get_field);
+    hobe_lua_set_type(L, HOBE_LUA_HISTORY, finalize, hobe_lua_history_methods, get_field);
     lua_pushvalue(L, 1);
     lua_setiuservalue(L, -2, SCENE);
     lua_newtable(L);

@@ -99,6 +99,10 @@ int hobe_lua_body(lua_State *L);
 /* Pushes a result that is still empty, of the scene at an index (lua_solve.c). */
 hobe_solution **hobe_lua_new_result(lua_State *L, int scene);
 
+/* Pushes the result that is the state i of the motion at the absolute index, i = 0 the start, and
+ * returns what it holds, alive as long as the motion (lua_dynamic.c). */
+const hobe_solution *hobe_lua_push_state(lua_State *L, int motion, int i);
+
 /* The scene and the table of options of a verb, the schema's name: its first two arguments. */
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
                                           void *options, size_t size);

@@ -249,6 +249,14 @@ static const hobe_modes *read_modes(lua_State *L, int index, const char *what)
     return *modes;
 }
 
+static const hobe_history *read_history(lua_State *L, int index, const char *what)
+{
+    hobe_history **history = luaL_testudata(L, index, HOBE_LUA_HISTORY);
+    if (!history || !*history)
+        fail_type(L, index, what, "a motion of hobe.dynamic(scene, ...)");
+    return *history;
+}
+
 /* Puts the value at index, which is there, into *out. */
 static void read_value(lua_State *L, int index, const char *what, const struct hobe_lua_key *key,
                        void *out)
@@ -289,6 +297,9 @@ static void read_value(lua_State *L, int index, const char *what, const struct h
     case KEY_MODES:
         *(const hobe_modes **)out = read_modes(L, index, what);
         break;
+    case KEY_HISTORY:
+        *(const hobe_history **)out = read_history(L, index, what);
+        break;
     case KEY_LIST:
         if (!lua_istable(L, index))
             fail_type(L, index, what, "a table");
@@ -317,6 +328,8 @@ static void set_fallback(const struct hobe_lua_key *key, void *out)
         *(const hobe_solution **)out = NULL;
     else if (key->type == KEY_MODES)
         *(const hobe_modes **)out = NULL;
+    else if (key->type == KEY_HISTORY)
+        *(const hobe_history **)out = NULL;
 }
 
 void hobe_lua_read_value(lua_State *L, int index, const char *what, const struct hobe_lua_key *key,

@@ -11,6 +11,7 @@
 #define HOBE_LUA_SECTION "hobe.section"
 #define HOBE_LUA_RESULT  "hobe.result"
 #define HOBE_LUA_MODES   "hobe.modes"
+#define HOBE_LUA_HISTORY "hobe.history"
 
 /* What a key holds, and the C object at its offset. */
 enum hobe_lua_type {
@@ -26,6 +27,8 @@ enum hobe_lua_type {
     KEY_RESULT,  /* a result of static         const hobe_solution *, likewise; NULL where left out
                   */
     KEY_MODES,   /* modes of modal             const hobe_modes *, likewise; NULL where left out */
+    KEY_HISTORY, /* a motion of dynamic        const hobe_history *, likewise; NULL where left out
+                  */
     KEY_LIST,    /* any table                  nothing: the function reads it itself */
     KEY_OTHER    /* what `choices` says        nothing: the function checks and reads it itself */
 };

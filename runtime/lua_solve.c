@@ -99,9 +99,10 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("cutbacks", solution.cutbacks, 'i', NULL, "steps that were given up and halved"),
     SOLVED("factorisations", solution.factorisations, 'i', NULL, "factorisations in all"),
     SOLVED("residual", solution.residual, 'd', NULL, "relative residual at the end"),
-    SOLVED("change", solution.change, 'd', NULL,
-           "share by which one more iteration would change the displacements: what tolerance and "
-           "round-off leave open; 0 for points of a path"),
+    SOLVED(
+        "change", solution.change, 'd', NULL,
+        "share by which a last correction, beyond the tolerance, changed the displacements: what "
+        "round-off leaves open is less"),
     SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
     SOLVED("negative", solution.negative, 'i', NULL,
            "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "
@@ -567,17 +568,22 @@ static const struct hobe_lua_key static_keys[] = {
 
 static const struct hobe_lua_schema static_schema = {"static", static_keys};
 
-/* Says when few digits are settled. */
-static void note_change(lua_State *L, const hobe_solution *solution)
+static double change_of(const hobe_solution *solution)
 {
     struct hobe_solution_info info;
     hobe_solution_info(solution, &info);
-    if (info.change > FEW_DIGITS)
+    return info.change;
+}
+
+/* Says when few digits are settled. */
+static void note_change(lua_State *L, double change)
+{
+    if (change > FEW_DIGITS)
         hobe_lua_note(
             L,
             "only about %d digits of the displacements are settled; the rest is round-off, "
             "of which fewer elements make less, or the tolerance",
-            (int)-log10(info.change));
+            (int)-log10(change));
 }
 
 /* hobe.static(scene, options) */
@@ -598,7 +604,7 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    note_change(L, *solution);
+    note_change(L, change_of(*solution));
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
@@ -695,12 +701,16 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
 {
     static const char *const ends[] = {"load", "displacement", "steps"};
     struct hobe_path_info info;
+    double change = 0;
     hobe_path_info(path, &info);
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
-        *hobe_lua_new_result(L, 1) = hobe_path_take(path, i);
+        hobe_solution **point = hobe_lua_new_result(L, 1);
+        *point = hobe_path_take(path, i);
+        change = fmax(change, change_of(*point));
         lua_rawseti(L, -2, i + 1);
     }
+    note_change(L, change);
     lua_pushstring(L, ends[info.end]);
     lua_setfield(L, -2, "ended");
     set_number(L, "solve_seconds", info.seconds);

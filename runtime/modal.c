@@ -12,23 +12,45 @@
 #include "spin.h"
 #include "vector3.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 
 /* ---- what is given --------------------------------------------------------------------------- */
 
+/* More than this share of an omega^2 is said. */
+static const double FEW_DIGITS = 1e-3;
+
 static void write_note(hobe_modes *modes)
 {
     const int unstable = modes->info.unstable;
+    const double share = modes->info.round_off;
+    int n = 0;
     if (unstable > 0)
-        snprintf(modes->note, sizeof modes->note,
-                 "the equilibrium is unstable: %d mode%s with omega^2 < 0, the lowest %.6g "
-                 "rad^2/s^2",
-                 unstable, unstable == 1 ? "" : "s", modes->mu[0]);
+        n = snprintf(modes->note, sizeof modes->note,
+                     "the equilibrium is unstable: %d mode%s with omega^2 < 0, the lowest %.6g "
+                     "rad^2/s^2",
+                     unstable, unstable == 1 ? "" : "s", modes->mu[0]);
     else if (unstable < 0)
-        snprintf(modes->note, sizeof modes->note,
-                 "unstable modes were looked for only among the %d nearest to omega = 0",
-                 modes->info.count);
+        n = snprintf(modes->note, sizeof modes->note,
+                     "unstable modes were looked for only among the %d nearest to omega = 0",
+                     modes->info.count);
+    if (share > FEW_DIGITS)
+        snprintf(modes->note + n, sizeof modes->note - (size_t)n,
+                 "%srounding of the stiffness may make up %.1g of the lowest omega^2; fewer "
+                 "elements have less of it",
+                 n > 0 ? "; " : "", share);
+}
+
+/* The share of an omega^2 = x'K x, K with a unit diagonal, that is left to chance when each entry
+ * of the diagonal is rounded: eps |(x_k^2)| in the Euclidean norm. */
+static double round_off(const struct pencil *s, int i)
+{
+    const double *x = s->X + i * s->n;
+    double sum = 0;
+    for (long k = 0; k < s->n - s->multipliers; k++)
+        sum += x[k] * x[k] * x[k] * x[k];
+    return DBL_EPSILON * sqrt(sum) / fabs(s->mu[i]);
 }
 
 /* The modes of K and M, at least so many as the options ask for, in the pencil. */
@@ -50,6 +72,8 @@ static enum hobe_status take(struct pencil *s, const struct hobe_modal_options *
     if (!*modes)
         return HOBE_NO_MEMORY;
     (*modes)->info.unstable = unstable;
+    for (int i = 0; i < o->modes; i++)
+        (*modes)->info.round_off = fmax((*modes)->info.round_off, round_off(s, i));
     write_note(*modes);
     return HOBE_OK;
 }

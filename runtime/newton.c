@@ -36,7 +36,7 @@ static const double ROUND_OFF = 8 * DBL_EPSILON;
 /* Below this share of the first residual of a step, its square adds no stress worth a thought. */
 static const double NEAR = 0.1;
 
-/* Displacements that one more iteration would change by more than this share are none. */
+/* Displacements that one more correction changes by more than this share are none. */
 static const double LOST = 0.01;
 
 void solver_log(struct solver *s, const char *note)
@@ -239,38 +239,39 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
     return GOING_ON;
 }
 
-/* Measures what one more iteration would change, by the factors of the last where there are no
- * newer: a residual of round-off may move a slender beam far.  FAILED where that leaves nothing. */
-static enum outcome measure_change(struct solver *s, int factored, struct hobe_error *err)
+enum outcome solver_measure(struct solver *s)
 {
     const double size = solver_norm(s, s->u, -1);
-    s->info.change = size > 0 ? NAN : 0;
-    if (size == 0)
-        return CONVERGED;
-    const enum outcome outcome = factored ? CONVERGED : solver_factor(s, err);
-    if (outcome != CONVERGED)
-        return outcome == ERROR ? ERROR : CONVERGED;
-    if (solver_solve(s, s->r, -1, s->x, err))
-        return ERROR;
-    s->info.change = correction_norm(s) / size;
+    s->info.change = size > 0 ? correction_norm(s) / size : 0;
     if (s->info.change <= LOST)
         return CONVERGED;
     solver_log(s, "lost in round-off");
     return FAILED;
 }
 
+/* Takes one more correction, where there are factors. */
+static enum outcome refine(struct solver *s, struct hobe_error *err)
+{
+    const enum outcome outcome = solver_factor(s, err);
+    s->info.change = NAN;
+    if (outcome != CONVERGED)
+        return outcome == ERROR ? ERROR : CONVERGED;
+    if (solver_solve(s, s->r, -1, s->x, err))
+        return ERROR;
+    solver_move(s, s->x, 1);
+    return solver_measure(s);
+}
+
 /* Newton from the current state to equilibrium at a load factor. */
 static enum outcome iterate(struct solver *s, double factor, int line_search,
                             struct hobe_error *err)
 {
-    double first_energy = 0, first_norm = 0, last_norm = INFINITY, expected = INFINITY;
+    double first_energy = 0, first_norm = 0, last_norm = INFINITY;
     s->now.load = factor;
     s->now.line = s->now.energy = 1;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
         const int far = s->now.iteration > 0 && last_norm > NEAR * first_norm;
-        const int over = expected <= s->options.tolerance * s->load_norm;
-        const enum tangent tangent = far ? NEXT_TANGENT : TRUE_TANGENT;
-        solver_evaluate(s, factor, over ? NO_TANGENT : tangent);
+        solver_evaluate(s, factor, far ? NEXT_TANGENT : TRUE_TANGENT);
         const double norm = solver_norm(s, s->r, 1);
         if (model_failure(s->model, err))
             return ERROR;
@@ -278,11 +279,7 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
             first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
-            return outcome == CONVERGED ? measure_change(s, over, err) : outcome;
-        if (over)
-            solver_evaluate(s, factor, tangent);
-        const double share = s->now.iteration > 0 ? norm / last_norm : INFINITY;
-        expected = norm * share * share; /* it converges by squares */
+            return outcome == CONVERGED ? refine(s, err) : outcome;
         last_norm = norm;
         outcome = solver_factor(s, err);
         if (outcome != CONVERGED)

@@ -87,6 +87,11 @@ void solver_restrict(const hobe_model *model, const double *field, double *x);
 /* u += factor x */
 void solver_move(struct solver *s, const double *x, double factor);
 
+/* Measures the correction x by a residual that was small enough, in info.change: one of round-off
+ * may move a slender beam far, and taking the correction, too, mends most of that.  FAILED where it
+ * leaves nothing. */
+enum outcome solver_measure(struct solver *s);
+
 /* The volume of the converged state: FAILED where it is turned inside out. */
 enum outcome solver_check_volume(struct solver *s, struct hobe_error *err);
 

@@ -62,7 +62,9 @@ struct follower {
     double *v, kappa;           /* [n] the tangent at the last point */
     double *force;              /* [vectors][3] Q */
     double lambda, last_lambda; /* now, and at the last point, whose state is s.start */
+    double mend;                /* of lambda, with s.x */
     struct plane step, reach, load;
+    const struct plane *plane; /* that of the last iteration */
     struct series series;
     int symmetric, turned; /* no follower forces; the load turned on the last step */
     double extreme;        /* the load there */
@@ -101,21 +103,40 @@ static enum hobe_status solve_load(struct follower *f, struct hobe_error *err)
     return solver_solve(&f->s, f->force, 1, f->q, err);
 }
 
-/* Moves to where the linearised equations and the plane meet. */
+/* s.x and mend: the correction to where the linearised equations and the plane meet, by the last
+ * factors. */
+static enum hobe_status find_correction(struct follower *f, const struct plane *plane,
+                                        struct hobe_error *err)
+{
+    struct solver *s = &f->s;
+    enum hobe_status status = solver_solve(s, s->r, -1, s->x, err);
+    if (!status)
+        status = solve_load(f, err);
+    if (status)
+        return status;
+    const double c_x = plane->c ? dot(f->n, plane->c, s->x) : 0;
+    const double c_q = plane->c ? dot(f->n, plane->c, f->q) : 0;
+    f->mend = -(distance(f, plane, s->u, f->lambda) + c_x) / (c_q + plane->kappa);
+    for (long i = 0; i < f->n; i++)
+        s->x[i] += f->mend * f->q[i];
+    return HOBE_OK;
+}
+
+static void take_correction(struct follower *f)
+{
+    solver_move(&f->s, f->s.x, 1);
+    f->lambda += f->mend;
+}
+
 static enum outcome correct(struct follower *f, const struct plane *plane, struct hobe_error *err)
 {
     struct solver *s = &f->s;
     const enum outcome outcome = solver_factor(s, err);
     if (outcome != CONVERGED)
         return outcome;
-    if (solver_solve(s, s->r, -1, s->x, err) || solve_load(f, err))
+    if (find_correction(f, plane, err))
         return ERROR;
-    const double c_x = plane->c ? dot(f->n, plane->c, s->x) : 0;
-    const double c_q = plane->c ? dot(f->n, plane->c, f->q) : 0;
-    const double change = -(distance(f, plane, s->u, f->lambda) + c_x) / (c_q + plane->kappa);
-    solver_move(s, s->x, 1);
-    solver_move(s, f->q, change);
-    f->lambda += change;
+    take_correction(f);
     s->info.iterations++;
     return CONVERGED;
 }
@@ -125,6 +146,7 @@ static enum outcome iterate(struct follower *f, const struct plane *plane, struc
 {
     struct solver *s = &f->s;
     double last_norm = INFINITY;
+    f->plane = plane;
     s->now.line = 1;
     s->now.energy = 0;
     for (s->now.iteration = 0; s->now.iteration <= s->options.max_iterations; s->now.iteration++) {
@@ -171,10 +193,8 @@ static double length_of(const struct follower *f, const double *v, double kappa)
 
 /* Makes v, kappa the tangent of the current point, on the side of the last one; FAILED where that
  * would turn it too far. */
-static enum outcome turn_tangent(struct follower *f, struct hobe_error *err)
+static enum outcome turn_tangent(struct follower *f)
 {
-    if (solve_load(f, err))
-        return ERROR;
     const double length = length_of(f, f->q, 1);
     double cosine = f->kappa;
     for (long i = 0; i < f->n; i++)
@@ -449,7 +469,11 @@ static enum outcome attempt(struct follower *f, double arc, int *ended, struct h
     if (outcome == CONVERGED)
         outcome = count_and_factor(f, err);
     if (outcome == CONVERGED)
-        outcome = turn_tangent(f, err);
+        outcome = find_correction(f, f->plane, err) ? ERROR : solver_measure(s);
+    if (outcome == CONVERGED && !by_series(f)) /* which begin where the tangent was factored */
+        take_correction(f);
+    if (outcome == CONVERGED)
+        outcome = turn_tangent(f);
     if (outcome == CONVERGED)
         return keep_point(f, err) || find_events(f, negative, kappa, err) ? ERROR : CONVERGED;
     if (outcome == FAILED) {

@@ -184,7 +184,7 @@ static enum hobe_status solve_dense(struct pencil *s, int modes, int *unstable,
     for (long i = 0; !status && i < s->n; i++) { /* nu ascending: the lowest mode is the last */
         const long from = s->n - 1 - i;
         const double mu = sigma + pencil_mu(s, nu[from]);
-        *unstable += mu < 0;
+        *unstable += nu[from] > 0 && mu < 0; /* nu < 0 is rounding: M is definite */
         if (i < modes) {
             s->mu[i] = mu;
             memcpy(s->X + i * s->n, M + from * s->n, (size_t)s->n * sizeof *M);

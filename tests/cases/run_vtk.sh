@@ -21,6 +21,9 @@ local r = hobe.static(scene)
 hobe.vtk{ file = "one.vtu", state = r }
 hobe.vtk{ file = "mode.vtu", mode = { hobe.modal(scene), 2 } }
 hobe.vtk{ file = "a & b/steps.pvd", states = { { r, 0.5 }, { r } } }
+local d = hobe.dynamic(scene, { to = 0.01, step = 1e-3 })
+hobe.vtk{ file = "motion.pvd", motion = d, every = 4 }
+hobe.vtk{ file = "fifth.vtu", state = d:state(5) }
 END
 "$hobe" run case.lua --out out >stdout || exit 1
 
@@ -59,4 +62,12 @@ series = tree.parse("out/a & b/steps.pvd").getroot().findall("Collection/DataSet
 assert [float(s.get("timestep")) for s in series] == [0.5, 2]
 for s in series:
     check("a & b/" + s.get("file"), stressed)
+assert [s.get("file") for s in series] == ["steps-0001.vtu", "steps-0002.vtu"]
+series = tree.parse("out/motion.pvd").getroot().findall("Collection/DataSet")
+assert [s.get("file") for s in series] == [f"motion-000{i}.vtu" for i in (1, 2, 3)]
+for s, time in zip(series, (0, 0.004, 0.008), strict=True):
+    assert abs(float(s.get("timestep")) - time) < 1e-15   # sums of steps round
+    check(s.get("file"), stressed)
+with open("out/motion-0002.vtu") as second, open("out/fifth.vtu") as fifth:
+    assert second.read() == fifth.read()
 END

@@ -304,7 +304,7 @@ static void refused(const hobe_section *section)
     check_sentence(hobe_path_follow(model, &late, &path, &err), HOBE_IO, &err, "the field is gone");
     field.fails = 8;
     check_sentence(hobe_static(model, &(struct hobe_newton){.time = 7}, &solution, &err),
-                   HOBE_BAD_INPUT, &err, "the force on beam \"beam\" is {nan, ");
+                   HOBE_BAD_INPUT, &err, "the force on \"beam\" is {nan, ");
     solution = solve_at(model, 1);
     hobe_modes *modes;
     check_sentence(
