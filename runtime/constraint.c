@@ -458,6 +458,20 @@ double tie_measure(const struct tie *tie, const struct constraint *c, const doub
     return value(c, tie, &s);
 }
 
+void tie_add_side(const struct tie *tie, int side, double factor, const double G[TIE_VECTORS][3],
+                  double *f)
+{
+    for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
+        if (t->what / 3 == side)
+            add(factor * t->weight, G[t->what], f + 3 * tie->vector[t->entry]);
+}
+
+int tie_inside(const struct tie *tie, int side, const struct beam *beam, int e)
+{
+    const struct place place = tie->side[side].place;
+    return place.beam == beam && place.element == e && place.xi > 0 && place.xi < 1;
+}
+
 /* ---- assembly -------------------------------------------------------------------------------- */
 
 /* Adds to scalar (a, b) of the block of entries i and j, where the layout of K has it. */
@@ -637,4 +651,25 @@ enum hobe_status tie_power(const struct tie *tie, const double *u, const struct 
     for (int k = 0; k < tie->constraints; k++)
         *power += u[3 * tie->multiplier + k] * derivative(1, c, k, &m);
     return HOBE_OK;
+}
+
+void constraint_inside(const struct hobe_model *model, const double *u,
+                       const struct instant *instant, const struct beam *beam, int e, double *f)
+{
+    for (size_t i = 0; i < model->ties.count; i++) {
+        const struct tie *tie = model_tie(model, i);
+        struct state s;
+        struct constraint c[ORDERS][TIE_CONSTRAINTS];
+        if (!tie_inside(tie, 0, beam, e) && !tie_inside(tie, 1, beam, e))
+            continue;
+        constraints_now(model, tie, instant, c);
+        read_state(tie, u, &s);
+        for (int k = 0; k < tie->constraints; k++) {
+            double J[TIE_VECTORS][3];
+            gradient(c[0] + k, &s, J);
+            for (int side = 0; side < 2; side++)
+                if (tie_inside(tie, side, beam, e))
+                    tie_add_side(tie, side, -s.lambda[k], (const double(*)[3])J, f);
+        }
+    }
 }

@@ -133,6 +133,13 @@ void tie_motion(const struct tie *tie, const double *field, double moved[TIE_VEC
 
 /* f += factor G and K += H, given on r, y, z of both places. */
 void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECTORS][3], double *f);
+
+/* The same of one of the places alone. */
+void tie_add_side(const struct tie *tie, int side, double factor, const double G[TIE_VECTORS][3],
+                  double *f);
+
+/* Whether that place is inside element e of a beam, between its ends. */
+int tie_inside(const struct tie *tie, int side, const struct beam *beam, int e);
 void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
                      double H[TIE_VECTORS][TIE_VECTORS][3][3], const struct matrix *K);
 
@@ -155,5 +162,9 @@ void constraint_rate(const struct hobe_model *model, const double *u, const stru
  * Phi_tt + 2 Phi_qt v + (Phi_q v)_q v, so that Phi_q a + this = 0; v[vectors][3], m/s. */
 void constraint_acceleration(const struct hobe_model *model, const double *u, const double *v,
                              const struct instant *instant, double *out);
+
+/* f[vectors][3] += what ties at places inside element e of a beam do to it, N. */
+void constraint_inside(const struct hobe_model *model, const double *u,
+                       const struct instant *instant, const struct beam *beam, int e, double *f);
 
 #endif

@@ -438,7 +438,7 @@ enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *opti
     if (!status)
         status = check_options(options, err);
     if (!status)
-        status = mass_check(model, "motion in time", err);
+        status = mass_check(model, "motion in time", NULL, err);
     if (status)
         return status;
     run.started = hobe_seconds();

@@ -5,6 +5,7 @@
 #include "constraint.h"
 #include "drive.h"
 #include "element.h"
+#include "mass.h"
 #include "point_mass.h"
 #include "spin.h"
 #include "taylor.h"
@@ -402,16 +403,10 @@ static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_erro
 {
     if (length3(model->gravity) == 0 && model->gravities.count == 0)
         return HOBE_OK;
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        if (!(beam->spec.material.rho > 0))
-            return hobe_fail(err, HOBE_BAD_INPUT, model->gravity_where,
-                             "gravity needs a density: material.rho of beam \"%s\" is %g, must be "
-                             "> 0 (kg/m^3)",
-                             beam->name, beam->spec.material.rho);
-    }
-    add_weights(model, model->gravity, 1, model->dead);
-    return HOBE_OK;
+    const enum hobe_status status = mass_check(model, "gravity", model->gravity_where, err);
+    if (!status)
+        add_weights(model, model->gravity, 1, model->dead);
+    return status;
 }
 
 enum hobe_status load_at(const struct hobe_model *model, const char *beam, double at,

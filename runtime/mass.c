@@ -164,13 +164,13 @@ void mass_translation(const struct hobe_model *model, int axis, double *field)
         field[3 * model_body(model, i)->first + axis] = 1;
 }
 
-enum hobe_status mass_check(const struct hobe_model *model, const char *what,
+enum hobe_status mass_check(const struct hobe_model *model, const char *what, const char *where,
                             struct hobe_error *err)
 {
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
-        if (!(beam->spec.material.rho > 0))
-            return hobe_fail(err, HOBE_BAD_INPUT, beam->spec.where,
+        if (!(element_mass(beam, 0)[0] > 0)) /* of some part of a composite section */
+            return hobe_fail(err, HOBE_BAD_INPUT, where ? where : beam->spec.where,
                              "%s needs a density: material.rho of beam \"%s\" is %g, must be > 0 "
                              "(kg/m^3)",
                              what, beam->name, beam->spec.material.rho);

@@ -37,8 +37,9 @@ double mass_product(const struct hobe_model *model, const double *a, const doubl
 /* field[vectors][3] = the unit translation of everything along a global axis. */
 void mass_translation(const struct hobe_model *model, int axis, double *field);
 
-/* HOBE_BAD_INPUT where a beam has no density; `what` needs one ("vibration"). */
-enum hobe_status mass_check(const struct hobe_model *model, const char *what,
+/* HOBE_BAD_INPUT where a beam has no mass; `what` needs some ("vibration"), `where` is its tag,
+ * NULL: the beam's. */
+enum hobe_status mass_check(const struct hobe_model *model, const char *what, const char *where,
                             struct hobe_error *err);
 
 #endif

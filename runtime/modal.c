@@ -84,7 +84,7 @@ static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, ho
     const double load = s->state ? s->state->info.load : 0;
     double w[3] = {0};
     int unstable = 0;
-    enum hobe_status status = mass_check(s->model, "vibration", err);
+    enum hobe_status status = mass_check(s->model, "vibration", NULL, err);
     if (!status)
         status = pencil_open(s, "modal analysis about a loaded state", err);
     if (!status)

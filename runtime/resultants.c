@@ -4,10 +4,12 @@
  * does at its last node is the work of the loads beyond, less those that act on that element.  In
  * motion -M w is a load, too. */
 #include "assemble.h"
+#include "constraint.h"
 #include "element.h"
 #include "load.h"
 #include "mass.h"
 #include "solution.h"
+#include "spring.h"
 #include "stress.h"
 #include "vector3.h"
 
@@ -87,6 +89,8 @@ static enum hobe_status from_forces(const hobe_solution *solution, const struct 
     if (!status) {
         const struct instant instant = solution_instant(solution);
         load_inside(model, solution->u, &instant, solution->info.load, beam, e, loads);
+        constraint_inside(model, solution->u, &instant, beam, e, loads);
+        spring_inside(model, solution->u, &instant, beam, e, loads);
         if (solution->v) {
             const double alpha = beam->spec.damping.mass;
             mass_element_force(model, beam, e, MASS_ISOTROPIC(-1), solution->w, loads);

@@ -101,9 +101,12 @@ static void functions(const struct rectangle *r, int paper, double y, double z, 
     flexure(r->height, z, &f[HOBE_WZ][0], &f[HOBE_WZ][2]);
 }
 
+/* Beyond the outline, where the series of w has no bound, those of the nearest point. */
 static void functions_at(const hobe_section *section, int paper, double y, double z, double (*f)[4])
 {
-    functions((const struct rectangle *)section, paper, y, z, f);
+    const struct rectangle *r = (const struct rectangle *)section;
+    const double most[2] = {r->width / 2, r->height / 2};
+    functions(r, paper, fmax(-most[0], fmin(y, most[0])), fmax(-most[1], fmin(z, most[1])), f);
 }
 
 /* Saint-Venant's torsion constant of a rectangle a >= b:

@@ -38,7 +38,7 @@ enum hobe_status spin_build(struct hobe_model *model, struct hobe_error *err)
 {
     if (!model->spun)
         return HOBE_OK;
-    if (mass_check(model, "a spin", err))
+    if (mass_check(model, "a spin", NULL, err))
         return HOBE_BAD_INPUT;
     const size_t size = (size_t)(3 * model->vectors);
     model->arm = hobe_alloc(size, sizeof *model->arm, err);

@@ -274,6 +274,23 @@ void spring_add(const struct hobe_model *model, const double *u, const struct in
             add_part(model, model_spring(model, i), p, u, instant, f, K);
 }
 
+void spring_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
+                   const struct beam *beam, int e, double *f)
+{
+    for (size_t i = 0; i < model->springs.count; i++) {
+        const struct spring *spring = model_spring(model, i);
+        for (int p = 0; p < parts_of(spring); p++)
+            for (int side = 0; side < 2; side++) {
+                struct extension x;
+                if (!tie_inside(&spring->tie, side, beam, e))
+                    continue;
+                extend(spring, p, u, &x);
+                tie_add_side(&spring->tie, side, -force_of(spring, p, &x, instant->v),
+                             (const double(*)[3])x.G, f);
+            }
+    }
+}
+
 void spring_strained(const struct hobe_model *model, const double *u, const double *v,
                      const struct matrix *K)
 {

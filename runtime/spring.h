@@ -53,4 +53,8 @@ double spring_power(const struct hobe_model *model, const double *u, const doubl
  * stiffness; how many these are. */
 int spring_jacobian(const struct spring *spring, double J[TIE_CONSTRAINTS][TIE_VECTORS][3]);
 
+/* f[vectors][3] += what springs at places inside element e of a beam do to it, N. */
+void spring_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
+                   const struct beam *beam, int e, double *f);
+
 #endif

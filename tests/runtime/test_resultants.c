@@ -119,6 +119,47 @@ static void all_balances(void)
 
 /* Weight is spread over the elements, and a follower force turns with the section: what lies
  * beyond the cut, to rounding. */
+/* A support and a spring between the ends of elements: what they do to the beam is among the forces
+ * beyond a cut. */
+static void held_between(void)
+{
+    struct hobe_error err;
+    hobe_section *section = rectangle(0.1, 0.2);
+    struct hobe_beam beam = beam_along_x("MGD30", ELEMENTS, section, 5e7, 0.3, 2);
+    hobe_model *model = cantilever(&beam, 0);
+    const double F[3] = {random_real(-60, 60), random_real(-60, 60), random_real(-60, 60)};
+    add_force(model, "beam", 1, F[0], F[1], F[2]);
+    const struct hobe_joint support = {
+        .beam = {"beam"}, .name = "pin", .at = {0.5}, .kind = HOBE_JOINT_SPHERICAL};
+    const struct hobe_spring spring = {.beam = {"beam"},
+                                       .name = "cushion",
+                                       .at = {0.73},
+                                       .kind = HOBE_SPRING_BUSHING,
+                                       .stiffness = {300, 400, 500}};
+    if (hobe_model_joint(model, &support, &err) || hobe_model_spring(model, &spring, &err))
+        check_stop("%s", err.message);
+    hobe_solution *solution = solve(model, 2);
+    struct hobe_reaction pin;
+    if (hobe_solution_reaction(solution, "pin", &pin, &err))
+        check_stop("%s", err.message);
+    const struct hobe_point at = point_of(solution, "beam", 0.73, 0, 0);
+    for (int k = 2; k < ELEMENTS; k++) {
+        const struct hobe_resultants r = cut_of(solution, (double)k / ELEMENTS, HOBE_CUT_FORCES);
+        for (int a = 0; a < 3; a++) {
+            double force = 0, beyond = F[a];
+            for (int b = 0; b < 3; b++)
+                force += r.force[b] * r.axes[b][a];
+            beyond -= k < 4 ? spring.stiffness[a] * at.u[a] : 0;
+            beyond += k < 3 ? pin.force[a] : 0;
+            /* Newton's residual, and rounding of stresses some hundred times the load's */
+            check_absolute(force, beyond, 1e-7 * 60, "force %d at %d/%d", a, k, ELEMENTS);
+        }
+    }
+    hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
 static void weight_and_follower(void)
 {
     const double g[3] = {0, 0, -9.81}, L = 2, rho = 300;
@@ -239,6 +280,7 @@ int main(void)
 {
     random_start();
     all_balances();
+    held_between();
     weight_and_follower();
     convergence("MGD30w");
     convergence("3433w");

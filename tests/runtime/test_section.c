@@ -80,6 +80,15 @@ static double omega(const hobe_section *section, double y, double z)
     return f[0];
 }
 
+/* Beyond the outline w is that of the nearest point, also far away. */
+static void beyond(const hobe_section *section, double W, double H)
+{
+    const double far = 20 * fmax(W, H), y = random_real(-.5, .5) * W, z = random_real(-.5, .5) * H;
+    check_that(omega(section, far, z) == omega(section, W / 2, z), "w right of the rectangle");
+    check_that(omega(section, y, -far) == omega(section, y, -H / 2), "w below the rectangle");
+    check_that(omega(section, far, far) == omega(section, W / 2, H / 2), "w off its corner");
+}
+
 static void gradient(const hobe_section *section, double y, double z, double f[3])
 {
     struct hobe_error err;
@@ -154,6 +163,7 @@ static void warping_function(double W, double H)
     interior(section, W, H);
     sides(section, W, H);
     symmetry(section, W, H);
+    beyond(section, W, H);
     hobe_section_free(section);
 }
 
