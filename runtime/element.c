@@ -419,8 +419,9 @@ static enum hobe_status fill_invariants(hobe_element *element,
 /* ---- the plan of force and tangent ---------------------------------------------------------- */
 
 /* Operation for operation a tensor's products run that much faster than loops over stations, whose
- * trips are shorter: 1.2 to 1.5 times, measured with AVX2 where both cost about the same. */
-static const double TENSOR_SPEED = 1.25;
+ * trips are shorter: 1.3 to 2.2 times where both cost about the same, force alone or with the
+ * tangent, and 1.05 to 1.15 where the operations are millions (hobe bench, AVX-512). */
+static const double TENSOR_SPEED = 1.5;
 
 int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry)
 {

@@ -318,7 +318,7 @@ static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
                       pays ? "" : " (taken)");
         if (straight)
             hobe_text_add(text, "; tensor %ld, %ld%s", whole->flops_force, whole->flops_tangent,
-                          pays ? " (taken: cheaper)" : "");
+                          pays ? " (taken: faster)" : "");
         hobe_text_add(text, "\n");
     }
 }
