@@ -6,7 +6,6 @@
 
 #include <math.h>
 #include <string.h>
-#include <time.h>
 
 /* Its user values are the scene and the results of the states asked for so far. */
 struct history {
@@ -26,23 +25,16 @@ struct watch {
     double since; /* when it was last renewed, s */
 };
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static void watch_step(void *p, const struct hobe_time_step *step)
 {
     struct watch *watch = p;
     if (watch->log)
         fprintf(stderr, "%8ld %14.7g %10.3e %5d %10.3e%s%s\n", step->step, step->time, step->size,
                 step->iterations, step->error, *step->note ? "  " : "", step->note);
-    else if (watch->context->progress && now() - watch->since > 0.2) {
+    else if (watch->context->progress && hobe_lua_now() - watch->since > 0.2) {
         fprintf(stderr, "\rt = %.5g s, h = %.3g s, step %ld, iterations %d\033[K", step->time,
                 step->size, step->step, step->iterations);
-        watch->since = now();
+        watch->since = hobe_lua_now();
         watch->shown = 1;
     }
 }
@@ -267,7 +259,7 @@ static int solve_dynamic(lua_State *L)
     const struct hobe_lua_scene *scene =
         hobe_lua_read_verb(L, &dynamic_schema, &options, sizeof options);
     struct hobe_lua *context = hobe_lua_context(L);
-    struct watch watch = {context, options.log || context->log, 0, now()};
+    struct watch watch = {context, options.log || context->log, 0, hobe_lua_now()};
     struct hobe_error err;
     read_start(L, &options.dynamic);
     struct history *history = lua_newuserdatauv(L, sizeof *history, 2);

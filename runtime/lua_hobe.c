@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* ---- the context ---------------------------------------------------------------------------- */
 
@@ -19,6 +20,13 @@ static int free_context(lua_State *L)
     hobe_text_free(&context->motion);
     hobe_lua_forget_files(context);
     return 0;
+}
+
+double hobe_lua_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 struct hobe_lua *hobe_lua_context(lua_State *L)

@@ -99,6 +99,9 @@ struct hobe_lua {
 
 struct hobe_lua *hobe_lua_context(lua_State *L);
 
+/* Seconds of a monotonic clock. */
+double hobe_lua_now(void);
+
 /* The journal of the motion that is about to be solved, to be closed by the caller; NULL where
  * there is no output folder.  Raises.  (lua_resume.c) */
 struct hobe_journal *hobe_lua_open_journal(lua_State *L);

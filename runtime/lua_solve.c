@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <string.h>
-#include <time.h>
 
 struct result {              /* its user value is the scene */
     hobe_solution *solution; /* first: KEY_RESULT reads it */
@@ -22,13 +21,6 @@ struct watch {
     int shown;    /* a progress line stands on the terminal */
     double since; /* when it was last renewed, s */
 };
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void write_row(struct hobe_text *text, int solve, const struct hobe_iteration *it)
 {
@@ -49,17 +41,17 @@ static void watch_iteration(void *p, const struct hobe_iteration *it)
         const char *note = it->note ? it->note : "";
         fprintf(stderr, "%5d %5d %9.6f %10.3e %10.3e %6.3f%s%s\n", it->step, it->iteration,
                 it->load, it->residual, it->energy, it->line, *note ? "  " : "", note);
-    } else if (watch->context->progress && now() - watch->since > 0.2) {
+    } else if (watch->context->progress && hobe_lua_now() - watch->since > 0.2) {
         fprintf(stderr, "\rload %.4f, step %d, iteration %d, residual %.1e\033[K", it->load,
                 it->step, it->iteration, it->residual);
-        watch->since = now();
+        watch->since = hobe_lua_now();
         watch->shown = 1;
     }
 }
 
 static void begin_watch(struct watch *watch, struct hobe_lua *context, int log)
 {
-    *watch = (struct watch){context, log || context->log, 0, now()};
+    *watch = (struct watch){context, log || context->log, 0, hobe_lua_now()};
     context->solves++;
     if (watch->log)
         fprintf(stderr, " step  iter      load   residual     energy   line  (solve %d)\n",
