@@ -153,9 +153,8 @@ void hobe_section_properties(const hobe_section *section, struct hobe_section_pr
 /* One line about the section and its warping function, for reports. */
 const char *hobe_section_text(const hobe_section *section);
 
-/* Values of the section function `name`, "w", "wy" or "wz", at (y, z), beyond the outline those of the
- * nearest point: f[3] = f, df/dy, df/dz.
- * HOBE_UNKNOWN when the section has no such function. */
+/* Values of the section function `name`, "w", "wy" or "wz", at (y, z), beyond the outline those of
+ * the nearest point: f[3] = f, df/dy, df/dz. HOBE_UNKNOWN when the section has no such function. */
 enum hobe_status hobe_section_function(const hobe_section *section, const char *name, double y,
                                        double z, double *f, struct hobe_error *err);
 
