@@ -466,10 +466,10 @@ void tie_add_side(const struct tie *tie, int side, double factor, const double G
             add(factor * t->weight, G[t->what], f + 3 * tie->vector[t->entry]);
 }
 
-int tie_inside(const struct tie *tie, int side, const struct beam *beam, int e)
+void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECTORS][3], double *f)
 {
-    const struct place place = tie->side[side].place;
-    return place.beam == beam && place.element == e && place.xi > 0 && place.xi < 1;
+    for (int side = 0; side < 2; side++)
+        tie_add_side(tie, side, factor, G, f);
 }
 
 /* ---- assembly -------------------------------------------------------------------------------- */
@@ -482,12 +482,6 @@ static void add_at(const struct hobe_model *model, const struct tie *tie, int i,
     if (place >= 0)
         K->value[place + b * model->stride[K->layout][model->unknown[tie->vector[j]]] + a] +=
             amount;
-}
-
-void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECTORS][3], double *f)
-{
-    for (const struct tie_term *t = tie->term; t < tie->term + tie->terms; t++)
-        add(factor * t->weight, G[t->what], f + 3 * tie->vector[t->entry]);
 }
 
 void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
@@ -660,7 +654,8 @@ void constraint_inside(const struct hobe_model *model, const double *u,
         const struct tie *tie = model_tie(model, i);
         struct state s;
         struct constraint c[ORDERS][TIE_CONSTRAINTS];
-        if (!tie_inside(tie, 0, beam, e) && !tie_inside(tie, 1, beam, e))
+        if (!place_inside(tie->side[0].place, beam, e) &&
+            !place_inside(tie->side[1].place, beam, e))
             continue;
         constraints_now(model, tie, instant, c);
         read_state(tie, u, &s);
@@ -668,7 +663,7 @@ void constraint_inside(const struct hobe_model *model, const double *u,
             double J[TIE_VECTORS][3];
             gradient(c[0] + k, &s, J);
             for (int side = 0; side < 2; side++)
-                if (tie_inside(tie, side, beam, e))
+                if (place_inside(tie->side[side].place, beam, e))
                     tie_add_side(tie, side, -s.lambda[k], (const double(*)[3])J, f);
         }
     }

@@ -137,9 +137,6 @@ void tie_add_force(const struct tie *tie, double factor, const double G[TIE_VECT
 /* The same of one of the places alone. */
 void tie_add_side(const struct tie *tie, int side, double factor, const double G[TIE_VECTORS][3],
                   double *f);
-
-/* Whether that place is inside element e of a beam, between its ends. */
-int tie_inside(const struct tie *tie, int side, const struct beam *beam, int e);
 void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
                      double H[TIE_VECTORS][TIE_VECTORS][3][3], const struct matrix *K);
 

@@ -583,8 +583,7 @@ void load_series(const struct hobe_model *model, const double *const *u,
 /* Whether a load acts inside an element, between its ends. */
 static int is_inside(const char *name, double at, const struct beam *beam, int e)
 {
-    const struct place place = model_place(beam, at);
-    return !strcmp(name, beam->name) && place.element == e && place.xi > 0 && place.xi < 1;
+    return !strcmp(name, beam->name) && place_inside(model_place(beam, at), beam, e);
 }
 
 void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,

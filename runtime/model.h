@@ -22,6 +22,12 @@ struct place {
     double xi;
 };
 
+/* Whether it is inside element e of a beam, between its ends. */
+static inline int place_inside(struct place place, const struct beam *beam, int e)
+{
+    return place.beam == beam && place.element == e && place.xi > 0 && place.xi < 1;
+}
+
 /* A list of items of one kind that grows. */
 struct list {
     void *item;

@@ -282,7 +282,7 @@ void spring_inside(const struct hobe_model *model, const double *u, const struct
         for (int p = 0; p < parts_of(spring); p++)
             for (int side = 0; side < 2; side++) {
                 struct extension x;
-                if (!tie_inside(&spring->tie, side, beam, e))
+                if (!place_inside(spring->tie.side[side].place, beam, e))
                     continue;
                 extend(spring, p, u, &x);
                 tie_add_side(&spring->tie, side, -force_of(spring, p, &x, instant->v),
