@@ -115,3 +115,11 @@ void check_tangent(hobe_model *model, residual_part *part, int symmetric, const 
         check_that(fabs(one - other) > 1e-8 * size, "%s: has no potential", what);
     probe_close(&p);
 }
+
+double *field_on(const hobe_model *model)
+{
+    double *x = hobe_alloc(3 * (size_t)model->vectors, sizeof *x, NULL);
+    if (!x)
+        check_stop("out of memory");
+    return x;
+}

@@ -13,4 +13,7 @@ typedef void residual_part(const hobe_model *model, const double *u, double *r,
  * the force, and is symmetric if there is a potential, and only then.  Builds the model. */
 void check_tangent(hobe_model *model, residual_part *part, int symmetric, const char *what);
 
+/* A field [vectors][3] on a built model, zero, to be freed by hobe_free; ends the test without. */
+double *field_on(const hobe_model *model);
+
 #endif

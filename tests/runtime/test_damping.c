@@ -17,14 +17,6 @@
 
 static const double E = 70e9, TAU = 3e-4, ALPHA = 700;
 
-static double *field_on(const hobe_model *model)
-{
-    double *x = hobe_alloc(3 * (size_t)model->vectors, sizeof *x, NULL);
-    if (!x)
-        check_stop("out of memory");
-    return x;
-}
-
 /* Equal on vectors that are one. */
 static void fill(const hobe_model *model, double size, double *x)
 {

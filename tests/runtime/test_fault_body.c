@@ -2,6 +2,7 @@
 /* A body and a mass on a beam, at rest and vibrating, while allocations fail one by one. */
 #include "check.h"
 #include "fault.h"
+#include "scene.h"
 
 static enum hobe_status add_items(hobe_model *model, const hobe_section *section,
                                   struct hobe_error *err)
@@ -51,10 +52,7 @@ static enum hobe_status go(void *section, struct hobe_error *err)
 
 int main(void)
 {
-    struct hobe_error err;
-    hobe_section *section = hobe_section_rectangle(0.05, 0.1, HOBE_WARPING_SERIES, &err);
-    if (!section)
-        check_stop("%s", err.message);
+    hobe_section *section = rectangle(0.05, 0.1);
     fail_each_allocation(go, section, 50, 1000, "body");
     hobe_section_free(section);
     return check_report();

@@ -3,6 +3,7 @@
  * stores what it has integrated, in the middle of a residual. */
 #include "check.h"
 #include "fault.h"
+#include "scene.h"
 
 struct drives {
     hobe_drive *ramp, *speed;
@@ -67,10 +68,7 @@ static enum hobe_status go(void *context, struct hobe_error *err)
 
 int main(void)
 {
-    struct hobe_error err;
-    hobe_section *section = hobe_section_rectangle(0.03, 0.05, HOBE_WARPING_SERIES, &err);
-    if (!section)
-        check_stop("%s", err.message);
+    hobe_section *section = rectangle(0.03, 0.05);
     fail_each_allocation(go, section, 30, 400, "driven");
     hobe_section_free(section);
     return check_report();

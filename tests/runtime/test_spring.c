@@ -42,14 +42,6 @@ static struct hobe_spring_state spring_of(const hobe_solution *solution, const c
     return state;
 }
 
-static double *field_on(const hobe_model *model)
-{
-    double *x = hobe_alloc(3 * (size_t)model->vectors, sizeof *x, NULL);
-    if (!x)
-        check_stop("out of memory");
-    return x;
-}
-
 static void fill(const hobe_model *model, double size, double *x)
 {
     for (long i = 0; i < 3 * model->vectors; i++)
