@@ -273,12 +273,24 @@ enum hobe_mechanics hobe_element_mechanics(const hobe_element *element);
  * prismatic. Owned by the element. */
 const double *hobe_element_q0(const hobe_element *element);
 
+/* The strains of an axis: stretch, curvatures about the section's y and z, and twist. */
+enum hobe_strain { HOBE_STRETCH, HOBE_BEND_Y, HOBE_BEND_Z, HOBE_TWIST, HOBE_STRAINS };
+
 /* How the stiffness at rest stands: what the check in hobe_element_new saw. */
 struct hobe_rest {
     int zero, negative, positive; /* eigenvalues of the scaled free-free stiffness of one element */
     double smallest, largest;     /* its extreme nonzero eigenvalues, dimensionless */
+    double share[HOBE_STRAINS];   /* EA, EIyy, EIzz, GJ of a long beam of such elements, over those
+                                     of its section; 0 where it is curved, pretwisted or tapered */
 };
 void hobe_element_rest(const hobe_element *element, struct hobe_rest *rest);
+
+/* Stiffness per length of a long beam of such elements, straight and prismatic, at rest, whose
+ * section is free to strain as its modes let it: C[i][j], N, N m, N m^2, with EA, EIyy, EIzz, GJ
+ * about the centroid on the diagonal. */
+enum hobe_status hobe_element_stiffness(const hobe_element *element,
+                                        double C[HOBE_STRAINS][HOBE_STRAINS],
+                                        struct hobe_error *err);
 
 /* Modes of the kernel that vanish on this section or depend on earlier ones, and are held at zero:
  * dropped[kernel->modes], 1 where so. */
