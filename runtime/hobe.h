@@ -681,6 +681,29 @@ enum hobe_method {
 
 typedef struct hobe_solution hobe_solution;
 
+/* A solver that looks for its corrections among few fields only (Galerkin's method): the residual
+ * of the full model is projected on them, and what they cannot see of it stays.  Forces and
+ * matrices are those of the full model, so that this takes longer than the full solution: it shows
+ * what such fields can do. */
+enum hobe_reduction_method {
+    HOBE_REDUCTION_COMPONENTS, /* constraint modes and fixed-interface normal modes of the tangent
+                                  stiffness (component_modes.h), found again where the scene moves:
+                                  at each load step, or in motion by `deviation` */
+    HOBE_REDUCTION_SNAPSHOTS   /* the main directions of states that are given (proper orthogonal
+                                  decomposition, Sirovich 1987), for good */
+};
+
+struct hobe_reduction {
+    enum hobe_reduction_method method;
+    int modes;        /* how many; of snapshots 0: as many as `accuracy` asks for */
+    double deviation; /* of components in motion: displacements, relative to the scene's size in
+                         the norm of the mass, after which modes are found again; 0: 0.1 */
+    double accuracy;  /* of snapshots: the share of them, in the norm of the scaled displacements,
+                         that may be left out; 0: 1e-6 */
+    const hobe_solution *const *snapshot; /* [snapshots] of the model or of one of the same shape */
+    int snapshots;
+};
+
 struct hobe_newton {
     enum hobe_method method;
     const hobe_solution *start; /* where hobe_static begins, at the full load: an equilibrium of the
@@ -691,6 +714,7 @@ struct hobe_newton {
     double tolerance;           /* on `residual`; 0: 1e-9 */
     double smallest_step;       /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
+    const struct hobe_reduction *reduction; /* NULL: none; not by series */
     double time; /* s, at which drives and histories are taken, >= 0; the motion of drives is scaled
                     by the load factor, too */
     void (*log)(void *context, const struct hobe_iteration *iteration); /* may be NULL */
@@ -710,6 +734,9 @@ struct hobe_solution_info {
                         stiffness at rest; it is taken, and round-off leaves less than that open (by
                         series, which leave it, so much); NaN where the stiffness has no factors */
     double energy;   /* strain energy, that of springs included, J */
+    long reduced;    /* unknowns of a reduction, multipliers included; 0: none */
+    int linearisations; /* how often its modes were found */
+    double outside;     /* residual of the full model, most of which a reduction does not see */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
     double seconds;      /* in the verb so far, without set-up */

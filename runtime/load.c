@@ -440,6 +440,30 @@ const struct hobe_force *load_follower(const struct hobe_model *model)
     return NULL;
 }
 
+static void touch(const struct hobe_model *model, const struct station *s, int from, int to,
+                  unsigned char *touched)
+{
+    for (int of = from; of <= to; of++)
+        for (int v = 0; v < s->vectors; v++)
+            if (s->weight[of][v] != 0)
+                touched[station_vector(model, s, v)] = 1;
+}
+
+void load_touch(const struct hobe_model *model, unsigned char *touched)
+{
+    struct station s;
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        find_station(model, force->beam, force->at, force_point(force), NULL, &s);
+        touch(model, &s, 0, force->follower ? 2 : 0, touched);
+    }
+    for (size_t i = 0; i < model->moments.count; i++) {
+        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
+        find_station(model, moment->beam, moment->at, NULL, NULL, &s);
+        touch(model, &s, 1, 2, touched);
+    }
+}
+
 /* Whether the force is the same in any state at any time, and so part of model->dead. */
 static int is_constant(const struct hobe_force *force)
 {

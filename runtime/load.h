@@ -31,6 +31,9 @@ void load_inside(const struct hobe_model *model, const double *u, const struct i
 enum hobe_status load_at(const struct hobe_model *model, const char *beam, double at,
                          const double F[3], const char *where, double *r, struct hobe_error *err);
 
+/* touched[vectors] = 1 at the vectors that forces and moments at places act on. */
+void load_touch(const struct hobe_model *model, unsigned char *touched);
+
 /* Whether the stiffness of some load is not symmetric, since it turns with the section, or is a
  * function of the caller: such a force, or NULL. */
 const struct hobe_force *load_follower(const struct hobe_model *model);
