@@ -715,6 +715,9 @@ struct hobe_newton {
     double smallest_step;       /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
     const struct hobe_reduction *reduction; /* NULL: none; not by series */
+
+    int linear;  /* 1: the linear response to the loads instead, one correction from the reference,
+                    whose residual tells how far from equilibrium that is; not by series */
     double time; /* s, at which drives and histories are taken, >= 0; the motion of drives is scaled
                     by the load factor, too */
     void (*log)(void *context, const struct hobe_iteration *iteration); /* may be NULL */
