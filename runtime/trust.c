@@ -103,7 +103,7 @@ static enum hobe_status measure(struct trust *trust, double load, double *bound,
         double rest = 0;
         const double before = moved(trust);
         status = advance(trust, load, i == 0 ? TRUE_TANGENT : NEXT_TANGENT, &rest, err);
-        *bound = before + rest;
+        *bound = rest >= 0 ? before + rest : INFINITY; /* NaN, too */
     }
     return status;
 }
