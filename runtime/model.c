@@ -440,6 +440,7 @@ struct place model_place(const struct beam *beam, double at)
 
 const char *hobe_model_beam_name(const hobe_model *model, int i)
 {
+    model = model_whole(model);
     return i >= 0 && (size_t)i < model->beams.count ? model_beam(model, (size_t)i)->name : NULL;
 }
 

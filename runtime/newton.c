@@ -510,6 +510,7 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
 {
     *s = (struct solver){.model = model, .options = *options, .singular = -1};
     s->info.negative = -1;
+    s->info.indicator = model->reduction ? NAN : 0;
     set_defaults(&s->options);
     s->motion.instant.time = s->info.time = options->time;
     const enum hobe_status status = allocate(s, err);

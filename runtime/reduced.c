@@ -1,15 +1,53 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "reduced.h"
 
+#include "assemble.h"
+#include "journal.h"
 #include "pattern.h"
 #include "reduction.h"
 #include "solution.h"
+#include "vector3.h"
 
 #include <math.h>
 #include <string.h>
 
 /* What beams and supports have in common in two models is the same to this. */
 static const double SAME = 1e-9;
+
+/* ---- what models have in common -------------------------------------------------------------- */
+
+enum hobe_status reduced_fingerprint(const hobe_model *model, struct fingerprint *print,
+                                     struct hobe_error *err)
+{
+    const size_t n = (size_t)(3 * model->vectors), beams = (size_t)model->beam_vectors;
+    double *u = hobe_alloc(n, sizeof *u, err), *q = hobe_alloc(n, sizeof *q, err);
+    const uint64_t joined = journal_sum(model->alias, beams * sizeof *model->alias);
+    *print = (struct fingerprint){.whole = joined ^ journal_sum(model->held, beams)};
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        const uint64_t is[3] = {print->whole, (uint64_t)beam->spec.elements,
+                                journal_sum(beam->kernel->hash, strlen(beam->kernel->hash))};
+        print->whole = journal_sum(is, sizeof is);
+    }
+    for (size_t i = 0; u && q && i < 3 * beams; i++) /* any field that is not even */
+        u[i] = 0.1 * sin(1 + 0.7 * (double)i);
+    if (u && q) {
+        model_reference(model, q);
+        print->number[0] = assemble_energy(model, u);
+        print->number[1] = dot((long)(3 * beams), u, q);
+    }
+    hobe_free(u);
+    hobe_free(q);
+    return u && q ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+int reduced_same(const struct fingerprint *a, const struct fingerprint *b)
+{
+    int same = a->whole == b->whole;
+    for (int i = 0; i < 2; i++)
+        same &= fabs(a->number[i] - b->number[i]) <= SAME * fabs(a->number[i]);
+    return same;
+}
 
 /* ---- bases ----------------------------------------------------------------------------------- */
 
@@ -49,10 +87,11 @@ static enum hobe_status copy_centre(struct hobe_reduced *r, const hobe_solution 
     return HOBE_OK;
 }
 
-static enum hobe_status finish(struct hobe_reduced *r, double started, struct hobe_error *err)
+enum hobe_status reduced_finish(struct hobe_reduced *r, double started, struct hobe_error *err)
 {
-    const enum hobe_status status =
-        quartic_open(&r->quartic, r->model, r->centre, r->basis.n, r->basis.field, err);
+    enum hobe_status status = reduced_fingerprint(r->model, &r->fingerprint, err);
+    if (!status)
+        status = quartic_open(&r->quartic, r->model, r->centre, r->basis.n, r->basis.field, err);
     r->info.unknowns = (int)r->basis.n;
     r->info.whole = 3 * r->model->unknowns;
     r->info.seconds = hobe_seconds() - started;
@@ -78,7 +117,7 @@ enum hobe_status hobe_reduce(hobe_model *model, const struct hobe_reduce *option
     if (!status)
         status = basis_make(model, options, &r->basis, err);
     if (!status)
-        status = finish(r, started, err);
+        status = reduced_finish(r, started, err);
     if (status)
         hobe_reduced_free(r);
     else
@@ -143,13 +182,18 @@ static enum hobe_status build(hobe_model *small, const hobe_reduced *reduced, ho
     return status ? status : pattern_build(small, err);
 }
 
-/* Whether the beams of both models are the same, and held and joined alike. */
-static int same_beams(const hobe_model *a, const hobe_model *b)
+/* The model has the beams of the basis, held and joined alike. */
+static enum hobe_status check_beams(const hobe_reduced *reduced, const hobe_model *model,
+                                    struct hobe_error *err)
 {
-    (void)SAME;
-    return a->beam_vectors == b->beam_vectors &&
-           !memcmp(a->alias, b->alias, (size_t)a->beam_vectors * sizeof *a->alias) &&
-           !memcmp(a->held, b->held, (size_t)a->beam_vectors);
+    struct fingerprint print;
+    const enum hobe_status status = reduced_fingerprint(model, &print, err);
+    if (!status && (reduced->model->beam_vectors != model->beam_vectors ||
+                    !reduced_same(&print, &reduced->fingerprint)))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a basis serves scenes of the same beams, joins and clamps alone; "
+                         "reduce this one by itself");
+    return status;
 }
 
 enum hobe_status hobe_reduced_model(const hobe_reduced *reduced, hobe_model *model,
@@ -160,12 +204,10 @@ enum hobe_status hobe_reduced_model(const hobe_reduced *reduced, hobe_model *mod
     enum hobe_status status = hobe_model_build(model, err);
     if (status)
         return status;
-    if (!same_beams(reduced->model, model))
-        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "a basis serves scenes of the same beams, joins and supports only");
-    hobe_model *made = hobe_alloc(1, sizeof *made, err);
+    status = check_beams(reduced, model, err);
+    hobe_model *made = status ? NULL : hobe_alloc(1, sizeof *made, err);
     if (!made)
-        return HOBE_NO_MEMORY;
+        return status ? status : HOBE_NO_MEMORY;
     status = build(made, reduced, model, err);
     made->built = 1;
     made->setup = hobe_seconds() - started;
