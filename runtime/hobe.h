@@ -828,8 +828,9 @@ struct hobe_dynamic {
                            iterations and steps, as long as they converge fast enough */
     double smallest_step; /* below which a motion that needs accuracy is given up, s; 0: 1e-9 of
                              the time to go */
-    int equilibrium;      /* 1: it starts from the static equilibrium under the loads of t = 0; 0:
-                             from the reference; with the velocities of hobe_motion */
+    const struct hobe_reduction *reduction; /* NULL: none; without a journal */
+    int equilibrium; /* 1: it starts from the static equilibrium under the loads of t = 0; 0:
+                        from the reference; with the velocities of hobe_motion */
     const hobe_solution *start; /* or from this state of the model: an equilibrium, at t = 0, or one
                                    of an earlier motion, at its time with its velocities */
     void (*log)(void *context, const struct hobe_time_step *step); /* may be NULL */
@@ -847,6 +848,8 @@ struct hobe_history_info {
     long factorisations;
     double time;                        /* reached, s */
     double smallest_step, largest_step; /* taken, s */
+    long reduced;                       /* unknowns of a reduction, multipliers included; 0: none */
+    int linearisations;                 /* how often its modes were found */
     double seconds;                     /* in hobe_dynamic without set-up */
 };
 
