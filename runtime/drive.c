@@ -297,15 +297,31 @@ const struct hobe_joint *drive_joint(const struct hobe_model *model)
     return NULL;
 }
 
+/* The first orders of the factor and its derivatives. */
+static void find_factor(const struct hobe_model *model, hobe_drive *history, double t,
+                        const char *where, int orders, double d[3])
+{
+    struct hobe_error err;
+    if (!history || !evaluate(history, t, orders, d, &err))
+        return;
+    model_fail(model, where, &err);
+    d[0] = d[1] = NAN;
+}
+
 double drive_factor(const struct hobe_model *model, hobe_drive *history, double t,
                     const char *where)
 {
-    struct hobe_error err;
     double d[3] = {1};
-    if (!history || !evaluate(history, t, 1, d, &err))
-        return d[0];
-    model_fail(model, where, &err);
-    return NAN;
+    find_factor(model, history, t, where, 1, d);
+    return d[0];
+}
+
+void drive_history(const struct hobe_model *model, hobe_drive *history, double t, const char *where,
+                   double d[2])
+{
+    double all[3] = {1};
+    find_factor(model, history, t, where, 2, all);
+    memcpy(d, all, 2 * sizeof *d);
 }
 
 /* *next is not after the next point of a drive, which may be NULL. */
@@ -332,5 +348,6 @@ double drive_next(const struct hobe_model *model, double t)
         stop_at(moment[i].history, t, &next);
     for (size_t i = 0; i < model->gravities.count; i++)
         stop_at(gravity[i].history, t, &next);
+    stop_at(model->spin.history, t, &next);
     return next;
 }

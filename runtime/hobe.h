@@ -614,19 +614,21 @@ enum hobe_status hobe_model_gravity(hobe_model *, const char *where, const doubl
 enum hobe_status hobe_model_gravity_history(hobe_model *, const char *where, const double g[3],
                                             hobe_drive *history, struct hobe_error *);
 
-/* The scene as seen in a frame that turns steadily about a line: all supports turn with it, and
+/* The scene as seen in a frame that turns about a line: all supports turn with it, and
  * loads keep their direction in it.  In equilibrium there F(q) = Q + w^2 M P q, the centrifugal
  * force on the distance from the axis, P = I - e e': the load factor of statics scales w^2.
  * Vibration about it (hobe_modal) and motion feel Coriolis' force, too; velocities and momenta are
- * those in the frame. */
+ * those in the frame.  Where the speed changes in time, motion feels Euler's force -dw/dt M e x q
+ * besides; an equilibrium, at its time, and vibration about it are those of a steady turn. */
 struct hobe_spin {
     const char *where;
-    double axis[3];  /* e, of any length, global axes */
-    double about[3]; /* a point of the line, m */
-    double speed;    /* w, rad/s, positive by the right-hand rule about the axis */
+    double axis[3];      /* e, of any length, global axes */
+    double about[3];     /* a point of the line, m */
+    double speed;        /* w, rad/s, positive by the right-hand rule about the axis */
+    hobe_drive *history; /* a factor of w that changes in time, without jumps; NULL: 1 */
 };
-/* At most one; HOBE_BAD_INPUT for a second one and an axis of no length.  Beams need densities, as
- * hobe_model_build says. */
+/* At most one; HOBE_BAD_INPUT for a second one, an axis of no length, and a speed that jumps.
+ * Beams need densities, as hobe_model_build says. */
 enum hobe_status hobe_model_spin(hobe_model *, const struct hobe_spin *, struct hobe_error *);
 
 /* Checks the model and does everything that is done once: invariants, numbering, sparsity and

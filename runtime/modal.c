@@ -82,13 +82,14 @@ static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, ho
                               struct hobe_error *err)
 {
     const double load = s->state ? s->state->info.load : 0;
+    const double time = s->state ? s->state->info.time : 0;
     double w[3] = {0};
     int unstable = 0;
     enum hobe_status status = mass_check(s->model, "vibration", NULL, err);
     if (!status)
         status = pencil_open(s, "modal analysis about a loaded state", err);
     if (!status)
-        status = spin_velocity(s->model, load, w, err);
+        status = spin_velocity(s->model, load, time, w, err);
     if (!status)
         status = pencil_choose(s, o, err);
     if (status)

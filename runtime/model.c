@@ -6,6 +6,7 @@
 #include "body.h"
 #include "constraint.h"
 #include "damping.h"
+#include "drive.h"
 #include "joint.h"
 #include "load.h"
 #include "numbering.h"
@@ -14,6 +15,7 @@
 #include "spring.h"
 #include "vector3.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -383,6 +385,11 @@ enum hobe_status hobe_model_spin(hobe_model *model, const struct hobe_spin *spec
     if (not_finite(spec->about, 3) || !isfinite(spec->speed))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
                          "a spin's speed (rad/s) and the point it is about (m) must be finite");
+    if (spec->history && !isnan(drive_jump(spec->history)))
+        return hobe_fail(
+            err, HOBE_BAD_INPUT, spec->where,
+            "the speed of a spin cannot jump, at t = %g s; let it rise in a short time",
+            drive_jump(spec->history));
     if (model->spun)
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
                          "a scene turns as a whole, with one spin; there is another one");
