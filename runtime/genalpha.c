@@ -82,7 +82,7 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
                            .full_newton = options->full_newton};
     set_parameters(g, options->rho > 0 ? options->rho : DEFAULT_RHO);
     enum hobe_status status =
-        solver_open(&g->s, model, &(struct hobe_newton){.reduction = options->reduction}, err);
+        solver_open(&g->s, model, &(struct hobe_newton){.projection = options->projection}, err);
     if (!status && model->spun) /* Coriolis' force has a skew matrix */
         status = solver_use_columns(&g->s, err);
     if (status)
@@ -130,13 +130,13 @@ double genalpha_deviation(struct genalpha *g)
     return genalpha_norm(g, g->force) / g->size;
 }
 
-enum hobe_status genalpha_reduce(struct genalpha *g, struct hobe_error *err)
+enum hobe_status genalpha_confine(struct genalpha *g, struct hobe_error *err)
 {
     const size_t size = (size_t)(3 * g->s.model->vectors) * sizeof *g->turned;
     memcpy(g->s.u, g->now.u, size);
     memcpy(g->turned, g->now.u, size);
     genalpha_forget(g);
-    return solver_reduce(&g->s, 1, err);
+    return solver_confine(&g->s, 1, err);
 }
 
 double genalpha_acceleration(const struct genalpha *g)

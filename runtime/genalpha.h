@@ -58,10 +58,10 @@ int genalpha_choose_step(struct genalpha *g, double target, double longest);
 /* Tries a step from now: CONVERGED, FAILED with g->reason, ERROR. */
 enum outcome genalpha_step(struct genalpha *g, struct hobe_error *err);
 
-/* Confines corrections to what a reduction makes of the state now, whose velocities settle then
+/* Confines corrections to what a projection makes of the state now, whose velocities settle then
  * takes into that space; and how far the scene has moved since, in the mass norm, relative to its
  * size. */
-enum hobe_status genalpha_reduce(struct genalpha *g, struct hobe_error *err);
+enum hobe_status genalpha_confine(struct genalpha *g, struct hobe_error *err);
 double genalpha_deviation(struct genalpha *g);
 
 /* |x|_M / sqrt(m) of a field, in the field's unit. */

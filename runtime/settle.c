@@ -85,7 +85,7 @@ static enum hobe_status factor_mass(struct genalpha *g, struct hobe_error *err)
     return outcome == ERROR ? (err ? err->status : HOBE_NO_MEMORY) : HOBE_OK;
 }
 
-/* Velocities that a reduction can have: v becomes v1 of its space with M (v1 - v) + Phi_q' mu = 0
+/* Velocities that a projection can have: v becomes v1 of its space with M (v1 - v) + Phi_q' mu = 0
  * along that, Phi_q v1 + Phi_t = 0. */
 static enum hobe_status confine(struct genalpha *g, struct hobe_error *err)
 {

@@ -37,10 +37,11 @@ static hobe_model *two_beams(const hobe_section *section, enum hobe_joint_kind k
     return model;
 }
 
-static hobe_solution *solve_reduced(hobe_model *model, int steps,
-                                    const struct hobe_reduction *reduction)
+static hobe_solution *solve_projected(hobe_model *model, int steps,
+                                      const struct hobe_projection *projection)
 {
-    const struct hobe_newton options = {.steps = steps, .tolerance = 1e-12, .reduction = reduction};
+    const struct hobe_newton options = {
+        .steps = steps, .tolerance = 1e-12, .projection = projection};
     hobe_solution *solution;
     struct hobe_error err;
     if (hobe_static(model, &options, &solution, &err))
@@ -158,7 +159,7 @@ static void test_rigid_motions(const hobe_section *section)
     model_reference(model, q);
     for (size_t i = 0; i < n; i++)
         scale[i] = 1;
-    const struct hobe_reduction interfaces = {.modes = 3 * 12};
+    const struct hobe_projection interfaces = {.modes = 3 * 12};
     if (component_modes(model, &interfaces, u, 0, scale, &space, &err))
         check_stop("%s", err.message);
     check_that(space.count == 3 * 13, "%ld modes of the interfaces, 39 expected", space.count);
@@ -186,9 +187,9 @@ static void test_small_loads(const hobe_section *section)
     hobe_model *model = cantilever(&beam, 0);
     add_force(model, "beam", 0.5, 1e-6 * F[0], 1e-6 * F[1], 1e-6 * F[2]);
     add_moment(model, "beam", 1, 1e-6 * M[0], 1e-6 * M[1], 1e-6 * M[2]);
-    hobe_solution *full = solve_reduced(model, 1, NULL);
-    hobe_solution *few = solve_reduced(model, 1, &(struct hobe_reduction){.modes = 3 * 8});
-    check_that(info_of(few).reduced == 24, "24 unknowns, got %ld", info_of(few).reduced);
+    hobe_solution *full = solve_projected(model, 1, NULL);
+    hobe_solution *few = solve_projected(model, 1, &(struct hobe_projection){.modes = 3 * 8});
+    check_that(info_of(few).projected == 24, "24 unknowns, got %ld", info_of(few).projected);
     check_absolute(apart(few, full, "beam"), 0, 1e-8, "small loads on interfaces");
     hobe_solution_free(full);
     hobe_solution_free(few);
@@ -206,10 +207,10 @@ static void test_fine_mesh(const hobe_section *section)
     add_force(model, "beam", 1, 0, 0, 1e-3);
     if (hobe_model_gravity(model, NULL, (const double[3]){0, 1e-3, -2e-3}, &err))
         check_stop("%s", err.message);
-    hobe_solution *full = solve_reduced(model, 1, NULL);
+    hobe_solution *full = solve_projected(model, 1, NULL);
     double last = INFINITY;
     for (int modes = 12; modes <= 40; modes += 14) {
-        hobe_solution *few = solve_reduced(model, 1, &(struct hobe_reduction){.modes = modes});
+        hobe_solution *few = solve_projected(model, 1, &(struct hobe_projection){.modes = modes});
         const double error = apart(few, full, "beam");
         check_that(error < (modes == 12 ? INFINITY : 0.2 * last), "%d modes: %g", modes, error);
         last = error;
@@ -230,14 +231,15 @@ static void test_all_modes(const hobe_section *section)
     const double way = random_real(-1, 1);
     add_force(model, "beam", 1, 5e2, 5e2 * way, 1e3);
     add_moment(model, "beam", 1, 8e2, 0, 3e2 * way);
-    hobe_solution *full = solve_reduced(model, 4, NULL);
-    hobe_solution *all = solve_reduced(model, 4, &(struct hobe_reduction){.modes = (int)ALL});
-    hobe_solution *few = solve_reduced(model, 4, &(struct hobe_reduction){.modes = 30});
+    hobe_solution *full = solve_projected(model, 4, NULL);
+    hobe_solution *all = solve_projected(model, 4, &(struct hobe_projection){.modes = (int)ALL});
+    hobe_solution *few = solve_projected(model, 4, &(struct hobe_projection){.modes = 30});
     check_absolute(apart(all, full, "beam"), 0, 1e-9, "all modes");
     check_absolute(info_of(all).outside, 0, 1e-9, "all modes leave nothing");
-    check_that(info_of(full).reduced == 0 && info_of(full).linearisations == 0, "none of the full");
-    check_that(info_of(few).reduced == 30 && info_of(few).linearisations == 4,
-               "30 modes at 4 steps, got %ld and %d", info_of(few).reduced,
+    check_that(info_of(full).projected == 0 && info_of(full).linearisations == 0,
+               "none of the full");
+    check_that(info_of(few).projected == 30 && info_of(few).linearisations == 4,
+               "30 modes at 4 steps, got %ld and %d", info_of(few).projected,
                info_of(few).linearisations);
     check_that(info_of(few).outside > 1e-3, "few modes leave a residual, %g", info_of(few).outside);
     check_that(info_of(few).residual < 1e-11, "but not along them, %g", info_of(few).residual);
@@ -256,10 +258,10 @@ static void test_more_steps(const hobe_section *section)
     struct hobe_beam beam = bar(section, 2);
     hobe_model *model = cantilever(&beam, 0);
     add_moment(model, "beam", 1, 1e3, 0, 0);
-    hobe_solution *full = solve_reduced(model, 4, NULL);
+    hobe_solution *full = solve_projected(model, 4, NULL);
     double last = INFINITY;
     for (int steps = 4; steps <= 64; steps *= 4) {
-        hobe_solution *few = solve_reduced(model, steps, &(struct hobe_reduction){.modes = 30});
+        hobe_solution *few = solve_projected(model, steps, &(struct hobe_projection){.modes = 30});
         const double error = apart(few, full, "beam");
         check_that(error < 0.7 * last, "error in %d steps: %g after %g", steps, error, last);
         last = error;
@@ -273,9 +275,9 @@ static void test_joint(const hobe_section *section)
 {
     hobe_model *model = two_beams(section, HOBE_JOINT_REVOLUTE, 1);
     add_force(model, "second", 0.5, 1e3, 3e3, -3e3 * random_real(0.5, 1));
-    hobe_solution *full = solve_reduced(model, 4, NULL);
-    hobe_solution *all = solve_reduced(model, 4, &(struct hobe_reduction){.modes = (int)ALL});
-    hobe_solution *few = solve_reduced(model, 4, &(struct hobe_reduction){.modes = 70});
+    hobe_solution *full = solve_projected(model, 4, NULL);
+    hobe_solution *all = solve_projected(model, 4, &(struct hobe_projection){.modes = (int)ALL});
+    hobe_solution *few = solve_projected(model, 4, &(struct hobe_projection){.modes = 70});
     check_absolute(apart(all, full, "second"), 0, 1e-9, "all modes of two beams");
     const struct hobe_point a = point_of(few, "beam", 1, 0, 0);
     const struct hobe_point b = point_of(few, "second", 0, 0, 0);
@@ -304,10 +306,10 @@ static hobe_model *pendulum(const hobe_section *section, double speed)
     return model;
 }
 
-static hobe_history *move(hobe_model *model, double step, const struct hobe_reduction *reduction)
+static hobe_history *move(hobe_model *model, double step, const struct hobe_projection *projection)
 {
     const struct hobe_dynamic options = {
-        .to = 0.3, .step = step, .store = 0.3, .reduction = reduction};
+        .to = 0.3, .step = step, .store = 0.3, .projection = projection};
     struct hobe_error err;
     hobe_history *history;
     if (hobe_dynamic(model, &options, &history, &err))
@@ -328,11 +330,11 @@ static void test_small_swing(const hobe_section *section)
 {
     hobe_model *model = pendulum(section, 4e-5);
     hobe_history *full = move(model, 5e-3, NULL);
-    hobe_history *few = move(model, 5e-3, &(struct hobe_reduction){.modes = 40});
+    hobe_history *few = move(model, 5e-3, &(struct hobe_projection){.modes = 40});
     struct hobe_history_info info;
     hobe_history_info(few, &info);
-    check_that(info.reduced == 46 && info.linearisations == 1,
-               "40 modes and 6 multipliers, found once: %ld, %d", info.reduced,
+    check_that(info.projected == 46 && info.linearisations == 1,
+               "40 modes and 6 multipliers, found once: %ld, %d", info.projected,
                info.linearisations);
     check_absolute(moved_apart(few, full), 0, 5e-4, "a small swing by 40 modes");
     hobe_history_free(full);
@@ -345,8 +347,8 @@ static void test_small_swing(const hobe_section *section)
 static void test_large_swing(const hobe_section *section)
 {
     hobe_model *model = pendulum(section, 4);
-    const struct hobe_reduction once = {.modes = (int)ALL, .deviation = 1e3},
-                                again = {.modes = (int)ALL};
+    const struct hobe_projection once = {.modes = (int)ALL, .deviation = 1e3},
+                                 again = {.modes = (int)ALL};
     hobe_history *full = move(model, 5e-3, NULL), *fine = move(model, 2.5e-3, NULL);
     hobe_history *one = move(model, 5e-3, &once), *more = move(model, 5e-3, &again);
     struct hobe_history_info info;
@@ -381,24 +383,24 @@ static void test_snapshots(const hobe_section *section)
     hobe_solution *snapshot[TRAINED];
     for (int i = 0; i < TRAINED; i++) {
         trained[i] = bent(section, 0, 1e3 * (i + 1));
-        snapshot[i] = solve_reduced(trained[i], 1, NULL);
+        snapshot[i] = solve_projected(trained[i], 1, NULL);
     }
-    const struct hobe_reduction pod = {.method = HOBE_REDUCTION_SNAPSHOTS,
-                                       .snapshot = (const hobe_solution *const *)snapshot,
-                                       .snapshots = TRAINED};
+    const struct hobe_projection pod = {.method = HOBE_PROJECTION_SNAPSHOTS,
+                                        .snapshot = (const hobe_solution *const *)snapshot,
+                                        .snapshots = TRAINED};
     hobe_model *seen = bent(section, 0, 2.5e3), *other = bent(section, 2.5e3, 0);
-    hobe_solution *full = solve_reduced(seen, 1, NULL), *few = solve_reduced(seen, 1, &pod);
-    check_that(info_of(few).reduced <= TRAINED, "as many unknowns as states at most");
+    hobe_solution *full = solve_projected(seen, 1, NULL), *few = solve_projected(seen, 1, &pod);
+    check_that(info_of(few).projected <= TRAINED, "as many unknowns as states at most");
     check_absolute(apart(few, full, "beam"), 0, 1e-4, "between loads it was trained with");
-    hobe_solution *bound = solve_reduced(other, 1, &pod);
+    hobe_solution *bound = solve_projected(other, 1, &pod);
     check_absolute(norm(point_of(bound, "beam", 1, 0, 0).u), 0, 1e-9,
                    "across them nothing moves: displacement");
-    hobe_solution *state =
-        solve_reduced(trained[3], 1,
-                      &(struct hobe_reduction){.method = HOBE_REDUCTION_SNAPSHOTS,
-                                               .modes = TRAINED,
-                                               .snapshot = (const hobe_solution *const *)snapshot,
-                                               .snapshots = TRAINED});
+    hobe_solution *state = solve_projected(
+        trained[3], 1,
+        &(struct hobe_projection){.method = HOBE_PROJECTION_SNAPSHOTS,
+                                  .modes = TRAINED,
+                                  .snapshot = (const hobe_solution *const *)snapshot,
+                                  .snapshots = TRAINED});
     check_absolute(apart(state, snapshot[3], "beam"), 0, 1e-9, "a state of the training");
     hobe_solution_free(full);
     hobe_solution_free(few);
@@ -414,9 +416,9 @@ static void test_snapshots(const hobe_section *section)
 
 /* ---- errors ---------------------------------------------------------------------------------- */
 
-static void refuse(hobe_model *model, const struct hobe_reduction *reduction, const char *says)
+static void refuse(hobe_model *model, const struct hobe_projection *projection, const char *says)
 {
-    const struct hobe_newton options = {.reduction = reduction};
+    const struct hobe_newton options = {.projection = projection};
     hobe_solution *solution;
     struct hobe_error err;
     const enum hobe_status status = hobe_static(model, &options, &solution, &err);
@@ -431,28 +433,28 @@ static void test_errors(const hobe_section *section)
     hobe_path *path;
     hobe_history *history;
     struct hobe_error err;
-    hobe_solution *state = solve_reduced(model, 1, NULL);
+    hobe_solution *state = solve_projected(model, 1, NULL);
     const hobe_solution *const states[] = {state};
-    const struct hobe_reduction few = {.modes = 6}, pod = {.method = HOBE_REDUCTION_SNAPSHOTS,
-                                                           .modes = 2,
-                                                           .snapshot = states,
-                                                           .snapshots = 1};
+    const struct hobe_projection few = {.modes = 6}, pod = {.method = HOBE_PROJECTION_SNAPSHOTS,
+                                                            .modes = 2,
+                                                            .snapshot = states,
+                                                            .snapshots = 1};
     refuse(model, &few, "at least 12, one for each displacement");
-    refuse(model, &(struct hobe_reduction){.method = HOBE_REDUCTION_SNAPSHOTS}, "some results");
+    refuse(model, &(struct hobe_projection){.method = HOBE_PROJECTION_SNAPSHOTS}, "some results");
     refuse(model, &pod, "2 modes are asked for of results that have 1 directions");
     beam.material.rho = 0;
     massless = cantilever(&beam, 0);
     add_force(massless, "beam", 1, 0, 0, 1);
-    refuse(massless, &few, "a reduction by component modes");
+    refuse(massless, &few, "a projection by component modes");
     refuse(massless, &pod, "another shape");
     jointed = two_beams(section, HOBE_JOINT_REVOLUTE, 1);
     add_force(jointed, "beam", 1, 0, 0, 1);
     refuse(jointed, &pod, "joints and bodies");
-    check_that(hobe_path_follow(model, &(struct hobe_path_options){.newton = {.reduction = &few}},
+    check_that(hobe_path_follow(model, &(struct hobe_path_options){.newton = {.projection = &few}},
                                 &path, &err) == HOBE_BAD_INPUT &&
                    strstr(err.message, "not for paths"),
                "a path: %s", err.message);
-    check_that(hobe_dynamic(model, &(struct hobe_dynamic){.to = 1, .step = 0.1, .reduction = &few},
+    check_that(hobe_dynamic(model, &(struct hobe_dynamic){.to = 1, .step = 0.1, .projection = &few},
                             &history, &err) == HOBE_BAD_INPUT &&
                    strstr(err.message, "at least 12"),
                "a motion: %s", err.message);

@@ -7,13 +7,13 @@
 
 struct trial {
     hobe_model *model;
-    struct hobe_reduction reduction;
+    struct hobe_projection projection;
 };
 
 static enum hobe_status solve_static(void *context, struct hobe_error *err)
 {
     const struct trial *trial = context;
-    const struct hobe_newton options = {.steps = 2, .reduction = &trial->reduction};
+    const struct hobe_newton options = {.steps = 2, .projection = &trial->projection};
     hobe_solution *solution;
     const enum hobe_status status = hobe_static(trial->model, &options, &solution, err);
     check_that(!solution == (status != HOBE_OK), "a solution is there when it is found");
@@ -24,7 +24,8 @@ static enum hobe_status solve_static(void *context, struct hobe_error *err)
 static enum hobe_status move(void *context, struct hobe_error *err)
 {
     const struct trial *trial = context;
-    const struct hobe_dynamic options = {.to = 2e-3, .step = 1e-3, .reduction = &trial->reduction};
+    const struct hobe_dynamic options = {
+        .to = 2e-3, .step = 1e-3, .projection = &trial->projection};
     hobe_history *history;
     const enum hobe_status status = hobe_dynamic(trial->model, &options, &history, err);
     check_that(!history == (status != HOBE_OK), "a motion is there when it is found");
@@ -65,7 +66,8 @@ int main(void)
 {
     hobe_section *section = rectangle(0.05, 0.08);
     hobe_model *jointed = bent(section, 1, 1), *fine = bent(section, 18, 0);
-    const struct hobe_reduction few = {.modes = 40, .deviation = 1e-12}, interfaces = {.modes = 16};
+    const struct hobe_projection few = {.modes = 40, .deviation = 1e-12},
+                                 interfaces = {.modes = 16};
     fail(solve_static, &(struct trial){jointed, few}, "static");
     fail(move, &(struct trial){jointed, few}, "motion");
     fail(solve_static, &(struct trial){fine, interfaces}, "by Lanczos' method");
@@ -73,7 +75,7 @@ int main(void)
     const hobe_solution *const states[] = {state};
     fail(solve_static,
          &(struct trial){fine,
-                         {.method = HOBE_REDUCTION_SNAPSHOTS, .snapshot = states, .snapshots = 1}},
+                         {.method = HOBE_PROJECTION_SNAPSHOTS, .snapshot = states, .snapshots = 1}},
          "snapshots");
     hobe_solution_free(state);
     hobe_model_free(jointed);
