@@ -71,7 +71,7 @@ struct cut {
 static enum hobe_status open_cut(struct cut *cut, struct hobe_error *err)
 {
     struct hobe_model *model = cut->s.model;
-    const enum hobe_status status = pencil_open(&cut->s, "a reduction", err);
+    const enum hobe_status status = pencil_open(&cut->s, "a projection", err);
     if (status)
         return status;
     cut->kept = hobe_alloc((size_t)model->unknowns, sizeof *cut->kept, err);
@@ -211,25 +211,25 @@ static enum hobe_status find_modes(struct cut *cut, int modes, const double *u, 
     return status;
 }
 
-enum hobe_status component_modes(struct hobe_model *model, const struct hobe_reduction *reduction,
+enum hobe_status component_modes(struct hobe_model *model, const struct hobe_projection *projection,
                                  const double *u, double factor, const double *scale,
                                  struct subspace *space, struct hobe_error *err)
 {
     struct cut cut = {.s.model = model};
-    enum hobe_status status = mass_check(model, "a reduction by component modes", NULL, err);
+    enum hobe_status status = mass_check(model, "a projection by component modes", NULL, err);
     if (!status)
         status = open_cut(&cut, err);
-    if (!status && reduction->modes < cut.boundary)
+    if (!status && projection->modes < cut.boundary)
         status = hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                           "modes of a reduction must be at least %ld, one for each displacement "
+                           "modes of a projection must be at least %ld, one for each displacement "
                            "of the nodes at joints, springs and loads, got %d",
-                           cut.boundary, reduction->modes);
+                           cut.boundary, projection->modes);
     if (!status)
         status = subspace_open(
             space, model, scale,
-            cut.multipliers + (reduction->modes < cut.s.n ? reduction->modes : cut.s.n), err);
+            cut.multipliers + (projection->modes < cut.s.n ? projection->modes : cut.s.n), err);
     if (!status)
-        status = find_modes(&cut, reduction->modes, u, factor, space, err);
+        status = find_modes(&cut, projection->modes, u, factor, space, err);
     close_cut(&cut);
     return status;
 }

@@ -108,12 +108,12 @@ static const struct hobe_lua_field fields[] = {
            "relative to their size; 0 of whole ones; not a number where it was not asked"),
     SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
-    SOLVED("reduced", solution.reduced, 'l', NULL,
-           "those of a reduction, multipliers included; 0: none"),
+    SOLVED("projected", solution.projected, 'l', NULL,
+           "those of a projection, multipliers included; 0: none"),
     SOLVED("linearisations", solution.linearisations, 'i', NULL,
-           "how often the modes of a reduction were found"),
+           "how often the modes of a projection were found"),
     SOLVED("outside", solution.outside, 'd', NULL,
-           "relative residual that stays outside the modes of a reduction"),
+           "relative residual that stays outside the modes of a projection"),
     SOLVED("setup_seconds", model.setup, 'd', "s", "building the scene"),
     SOLVED("solve_seconds", solution.seconds, 'd', "s", "solving"),
     {0}};
@@ -531,7 +531,7 @@ static const double FEW_DIGITS = 1e-6; /* a change above this is said */
 
 struct options {
     struct hobe_newton newton;
-    struct hobe_reduction reduction;
+    struct hobe_projection projection;
     int line_search, log;
 };
 
@@ -560,7 +560,7 @@ static const struct hobe_lua_key static_keys[] = {
            .doc = "iterations of a step before it is cut"),
     NEWTON(smallest_step, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
            .doc = "share of the load below which a step is not cut"),
-    KEY(struct options, reduction, KEY_GROUP, .group = &hobe_lua_reduction_schema,
+    KEY(struct options, projection, KEY_GROUP, .group = &hobe_lua_projection_schema,
         .doc = "looks for corrections among few fields only, by the matrices and forces of the "
                "whole: it shows what such fields can do, and takes longer; not by series"),
     KEY(struct options, line_search, KEY_FLAG, .fallback = 1,
@@ -596,7 +596,7 @@ static int solve_static(lua_State *L)
     struct watch watch;
     struct hobe_error err;
     options.newton.no_line_search = !options.line_search;
-    options.newton.reduction = hobe_lua_finish_reduction(L, &static_schema, &options.reduction);
+    options.newton.projection = hobe_lua_finish_projection(L, &static_schema, &options.projection);
     hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;

@@ -219,10 +219,10 @@ enum hobe_status solver_solve(struct solver *s, const double *field, double fact
     return HOBE_OK;
 }
 
-enum hobe_status solver_reduce(struct solver *s, double factor, struct hobe_error *err)
+enum hobe_status solver_confine(struct solver *s, double factor, struct hobe_error *err)
 {
-    const struct hobe_reduction *how = s->options.reduction;
-    const int fixed = how && how->method == HOBE_REDUCTION_SNAPSHOTS;
+    const struct hobe_projection *how = s->options.projection;
+    const int fixed = how && how->method == HOBE_PROJECTION_SNAPSHOTS;
     if (!how || (fixed && s->space.count > 0))
         return HOBE_OK;
     s->info.linearisations++;
@@ -403,7 +403,7 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
         const int before = s->info.iterations;
         s->now.step = s->info.steps + 1;
         memcpy(s->start, s->u, size);
-        if (fresh && solver_reduce(s, reached, err))
+        if (fresh && solver_confine(s, reached, err))
             return err ? err->status : HOBE_NO_MEMORY;
         const enum outcome outcome = attempt(s, target, err);
         fresh = outcome == CONVERGED;
@@ -453,7 +453,7 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
     memcpy(s->u, solution_field(start, s->model, SOLUTION_U), size);
     memcpy(s->start, s->u, size);
     s->now.step = 1;
-    if (solver_reduce(s, 1, err))
+    if (solver_confine(s, 1, err))
         return ERROR;
     const enum outcome outcome = attempt(s, 1, err);
     if (outcome == CONVERGED) {
@@ -507,7 +507,7 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
         return HOBE_NO_MEMORY;
     if (pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err))
         return HOBE_NO_MEMORY;
-    if (!s->options.reduction)
+    if (!s->options.projection)
         return HOBE_OK;
     s->reference = hobe_alloc(n, sizeof *s->reference, err);
     return s->reference ? solver_use_columns(s, err) : HOBE_NO_MEMORY;
@@ -560,7 +560,7 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
 {
     s->info.energy = assemble_energy(s->model, s->u) + spring_energy(s->model, s->u);
     s->info.seconds = hobe_seconds() - started;
-    s->info.reduced = s->space.count;
+    s->info.projected = s->space.count;
     s->info.outside = s->space.count > 0 ? whole_norm(s, s->r, 1) / s->load_norm : 0;
     return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
 }

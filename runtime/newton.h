@@ -38,7 +38,7 @@ struct solver {
     double *scale;          /* [unknowns] D */
     double load_norm;       /* |D Q| at the reference */
     double *reference;      /* [unknowns] D of the space, that of the reference; NULL: none */
-    struct subspace space;  /* where corrections are sought, once solver_reduce has been called */
+    struct subspace space;  /* where corrections are sought, once solver_confine has been called */
     struct hobe_solution_info info;
     struct hobe_iteration now;
     long singular;      /* column of a vanishing pivot */
@@ -58,9 +58,9 @@ enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err);
 /* Keeps M in the layout of the tangent, to which motion adds it again and again. */
 enum hobe_status solver_keep_mass(struct solver *s, struct hobe_error *err);
 
-/* Looks for corrections in the space that options.reduction makes about the state s->u under the
+/* Looks for corrections in the space that options.projection makes about the state s->u under the
  * load factor, from now on; nothing where there is none. */
-enum hobe_status solver_reduce(struct solver *s, double factor, struct hobe_error *err);
+enum hobe_status solver_confine(struct solver *s, double factor, struct hobe_error *err);
 
 /* One line of the log, with a note. */
 void solver_log(struct solver *s, const char *note);

@@ -656,9 +656,9 @@ enum hobe_status hobe_path_follow(hobe_model *model, const struct hobe_path_opti
     enum hobe_status status = hobe_model_build(model, err);
     if (!status)
         status = model_check_held(model, err);
-    if (!status && options->newton.reduction)
+    if (!status && options->newton.projection)
         status = hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                           "a reduction is for load steps by Newton's method and for motions, not "
+                           "a projection is for load steps by Newton's method and for motions, not "
                            "for paths and series");
     if (status)
         return status;

@@ -22,16 +22,16 @@ struct snapshots {
     double *square;      /* [count] ascending */
 };
 
-static enum hobe_status check(const struct hobe_model *model, const struct hobe_reduction *how,
+static enum hobe_status check(const struct hobe_model *model, const struct hobe_projection *how,
                               struct hobe_error *err)
 {
     if (how->snapshots < 1)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "a reduction by snapshots needs some results to train with");
+                         "a projection by snapshots needs some results to train with");
     if (model->vectors > model->moving)
         return hobe_fail(
             err, HOBE_BAD_INPUT, NULL,
-            "a reduction by snapshots does not hold for scenes with joints and bodies, "
+            "a projection by snapshots does not hold for scenes with joints and bodies, "
             "whose constraints few states cannot fulfil");
     for (int k = 0; k < how->snapshots; k++)
         if (!model_same_shape(model, how->snapshot[k]->model))
@@ -43,7 +43,7 @@ static enum hobe_status check(const struct hobe_model *model, const struct hobe_
 }
 
 static enum hobe_status gather(struct snapshots *s, const struct hobe_model *model,
-                               const struct hobe_reduction *how, const double *scale,
+                               const struct hobe_projection *how, const double *scale,
                                struct hobe_error *err)
 {
     const size_t m = (size_t)how->snapshots, n = (size_t)(3 * model->unknowns);
@@ -75,7 +75,7 @@ static void free_snapshots(struct snapshots *s)
 }
 
 /* How many directions are asked for, and there are. */
-static enum hobe_status choose(const struct snapshots *s, const struct hobe_reduction *how,
+static enum hobe_status choose(const struct snapshots *s, const struct hobe_projection *how,
                                int *modes, struct hobe_error *err)
 {
     const double accuracy = how->accuracy > 0 ? how->accuracy : DEFAULT_ACCURACY;
@@ -109,18 +109,18 @@ static void take(const struct snapshots *s, int k, const double *scale, struct s
 }
 
 enum hobe_status snapshot_modes(const struct hobe_model *model,
-                                const struct hobe_reduction *reduction, const double *scale,
+                                const struct hobe_projection *projection, const double *scale,
                                 struct subspace *space, struct hobe_error *err)
 {
     struct snapshots s = {0};
     int definite, modes = 0;
-    enum hobe_status status = check(model, reduction, err);
+    enum hobe_status status = check(model, projection, err);
     if (!status)
-        status = gather(&s, model, reduction, scale, err);
+        status = gather(&s, model, projection, scale, err);
     if (!status)
         status = eigen_dense(s.count, s.G, s.one, s.square, &definite, err);
     if (!status)
-        status = choose(&s, reduction, &modes, err);
+        status = choose(&s, projection, &modes, err);
     if (!status)
         status = subspace_open(space, model, scale, modes, err);
     for (int k = 0; !status && k < modes; k++)
