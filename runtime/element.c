@@ -27,7 +27,8 @@ struct laws {
     struct hobe_elasticity region[HOBE_MAX_REGIONS];
     double density[HOBE_MAX_REGIONS];
     struct hobe_law law;
-    double EA, EIyy, EIzz, G; /* of the section where it does not vary; G of its first region */
+    /* of the section where it does not vary; G of its first region */
+    double EA, EIyy, EIzz, EIyz, G;
 };
 
 struct hobe_element {
@@ -313,6 +314,7 @@ static void set_laws(struct laws *laws, const struct hobe_element_options *optio
         laws->EA += EA;
         laws->EIyy += EA * at->z * at->z;
         laws->EIzz += EA * at->y * at->y;
+        laws->EIyz += EA * at->y * at->z;
     }
     for (int r = 0; r < laws->law.regions; r++) {
         hobe_material_law(material_of(options, r), mechanics, laws->region + r, &mean);
@@ -683,6 +685,12 @@ const double *hobe_element_q0(const hobe_element *element)
 const struct hobe_invariants *hobe_element_invariants(const hobe_element *element)
 {
     return &element->invariants;
+}
+
+void hobe_element_stiffnesses(const hobe_element *element, struct stiffnesses *s)
+{
+    const struct laws *l = &element->laws;
+    *s = (struct stiffnesses){l->EA, l->EIyy, l->EIzz, l->EIyz};
 }
 
 const struct hobe_law *hobe_element_law(const hobe_element *element)

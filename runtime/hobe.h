@@ -1030,6 +1030,18 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
                                        enum hobe_warning *warning, char *text, size_t size,
                                        struct hobe_error *err);
 
+/* An estimate of how much too stiff a beam's mesh is in a state of statics, from 0 to 1: the share
+ * of the energy in which forces by its strains and forces that balance its loads differ, in stretch
+ * and bending.  It sees coarse meshes and locking, not what loads do that act inside elements at
+ * one place.  0 with mechanics `structural`, whose strains count at points of their own, and of
+ * sections that vary along the beam. */
+enum hobe_status hobe_solution_mesh_error(const hobe_solution *solution, const char *beam,
+                                          double *share, struct hobe_error *err);
+
+/* The sentence to warn with where that is 1/20 or more, "" where it is less. */
+enum hobe_status hobe_solution_mesh_warning(const hobe_solution *solution, const char *beam,
+                                            char *text, size_t size, struct hobe_error *err);
+
 /* What a clamp or support does to its beam or body, and a joint to its second, global axes: the
  * force and its moment about the place where it sits.  Of a clamp the forces on all vectors of its
  * node, with those on the slope x and on section modes in the moment; clamps that hold one node of
