@@ -553,6 +553,9 @@ static const struct hobe_lua_key static_keys[] = {
            .doc = "iterations of a step before it is cut"),
     NEWTON(smallest_step, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
            .doc = "share of the load below which a step is not cut"),
+    NEWTON(linear, KEY_FLAG,
+           .doc = "the linear response to the loads instead, right where they are small: one "
+                  "correction from the reference; `residual` tells how far from equilibrium it is"),
     KEY(struct options, line_search, KEY_FLAG, .fallback = 1,
         .doc = "whether steps that increase the residual are shortened"),
     KEY(struct options, log, KEY_FLAG, .doc = "print each iteration on standard error"),
@@ -596,7 +599,10 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    note_change(L, change_of(*solution));
+    struct hobe_solution_info info;
+    hobe_solution_info(*solution, &info);
+    hobe_lua_context(L)->factorisations += info.factorisations;
+    note_change(L, info.change);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
