@@ -11,12 +11,13 @@
 
 enum { DOUBLINGS = 9 }; /* meshes 1, 2, 4, ... ADVISE_MOST of a sequence */
 
-static const double NOTHING = 1e-12;  /* quantities below it are zero */
-static const double SMALL = 0.01;     /* share of the largest of its unit that errors are measured
-                                         by at least */
-static const double OPEN = 0.25;      /* share of the accuracy that the estimate may leave open */
+static const double NOTHING = 1e-12;   /* quantities below it are zero */
+static const double SMALL = 0.01;      /* share of the largest of its unit that errors are measured
+                                          by at least */
+static const double OPEN = 0.25;       /* share of the accuracy that the estimate may leave open */
 static const double LEAST_OPEN = 0.02; /* where a choice hangs on it */
-static const double HOPE = 1.3;       /* times the accuracy that a prediction may miss to be tried */
+static const double SLOW = 1.5, MODEST = 4, HIGH = 16; /* ratios of errors on meshes of n and 2 n */
+static const double HOPE = 1.3; /* times the accuracy that a prediction may miss to be tried */
 
 static const int MESH[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
 enum { MESHES = sizeof MESH / sizeof *MESH };
@@ -46,8 +47,8 @@ struct search {
 static const struct {
     const char *element, *effect;
 } LEVELS[] = {
-    {"MGD30", "bending, shear and stretch"}, {"MGD30w", "warping in torsion"},
-    {"MGD30w3", "warping in shear"},         {"MGD30d", "distortion of the section"},
+    {"MGD30", "bending, shear and stretch"},   {"MGD30w", "warping in torsion"},
+    {"MGD30w3", "warping in shear"},           {"MGD30d", "distortion of the section"},
     {"MGD30d2", "distortion of second order"},
 };
 enum { KNOWN = sizeof LEVELS / sizeof *LEVELS };
@@ -63,7 +64,7 @@ int advise_levels(const struct hobe_kernel **level)
     return levels;
 }
 
-const char *advise_effect(const struct hobe_kernel *kernel)
+const char *advise_step(const struct hobe_kernel *kernel)
 {
     for (int i = 0; i < KNOWN; i++)
         if (!strcmp(kernel->name, LEVELS[i].element))
@@ -185,40 +186,50 @@ static struct advise_model plain(const struct hobe_kernel *kernel, int elements)
 
 /* ---- sequences ------------------------------------------------------------------------------- */
 
-/* What the last terms of the sequence of a quantity, D_0, D_1, D_2, on meshes each twice as fine,
- * tend to, and by how much that may be off.  Of errors e, e/r, e/r^2 the limit is
- * D_2 + (D_2 - D_1)/(r - 1).  Two terms show no r; sequences that do not settle evenly have none. */
-static void extrapolate(int count, const double *D, int stride, double *limit, double *open,
-                        double *ratio)
+/* The limit of a sequence by its last three terms, on meshes each twice as fine: of errors e, e/r,
+ * e/r^2 it is D_2 + (D_2 - D_1)/(r - 1).  0 where they do not settle evenly. */
+static int extrapolate(const double *D, int stride, double *limit, double *ratio)
 {
-    const double last = D[(count - 1) * stride];
-    *limit = last;
+    const double before = D[stride] - D[0], step = D[2 * stride] - D[stride];
+    const double r = step != 0 ? before / step : HIGH;
+    if (!(r >= SLOW))
+        return 0;
+    *ratio = fmin(r, HIGH);
+    *limit = D[2 * stride] + step / (*ratio - 1);
+    return 1;
+}
+
+/* What a sequence tends to, and by how much that may be off: by its last step, less where its order
+ * shows, and where two orders agree by what they differ in. */
+static void find_limit(int count, const double *D, int stride, double *limit, double *open,
+                       double *ratio)
+{
+    const double *last = D + (count - 1) * stride;
+    double earlier, earlier_ratio;
+    *limit = *last;
     *ratio = 2;
     *open = INFINITY;
     if (count < 2)
         return;
-    const double step = last - D[(count - 2) * stride];
-    *open = fabs(step);
+    const double step = fabs(last[0] - last[-stride]);
+    *open = step;
     if (count < 3)
         return;
-    const double before = D[(count - 2) * stride] - D[(count - 3) * stride];
-    const double r = step != 0 ? before / step : 16;
-    if (r < 1.5) { /* it does not settle, or to and fro */
-        *open = r < -2 ? fabs(step) : 2 * fmax(fabs(step), fabs(before));
+    if (!extrapolate(last - 2 * stride, stride, limit, ratio)) {
+        *open = 2 * fmax(step, fabs(last[-stride] - last[-2 * stride]));
         return;
     }
-    *ratio = fmin(r, 16);
-    *limit = last + step / (*ratio - 1);
-    *open = fabs(step) / (fmin(r, 4) - 1);
+    *open = step / (fmin(*ratio, MODEST) - 1);
+    if (count > 3 && extrapolate(last - 3 * stride, stride, &earlier, &earlier_ratio))
+        *open = fmin(*open, fmax(fabs(*limit - earlier), 0.2 * fabs(*limit - *last)));
 }
 
 static void estimate_level(struct search *s, struct level *level)
 {
     const int n = s->problem->quantities;
-    const int first = level->count > 3 ? level->count - 3 : 0;
     for (int i = 0; i < n; i++)
-        extrapolate(level->count - first, level->D + first * n + i, n, level->limit + i,
-                    level->open + i, level->ratio + i);
+        find_limit(level->count, level->D + i, n, level->limit + i, level->open + i,
+                   level->ratio + i);
 }
 
 /* Adds D on a mesh to a level where it and the one before run there. */
@@ -490,7 +501,7 @@ static enum hobe_status try_linear(struct search *s, struct hobe_error *err)
         return status;
     a->linear = loss_of(s, trial->value, a->trial[a->model].value);
     const double most = a->trial[a->model].cost;
-    for (int k = 0; k < MESHES && MESH[k] <= s->problem->most; k++) {
+    for (int k = 0; s->problem->takes_linear && k < MESHES && MESH[k] <= s->problem->most; k++) {
         struct advise_loss error;
         model.elements = MESH[k];
         if (model.elements < chosen.elements || (a->holds && advise_cost(&model, 1) >= most))
@@ -594,7 +605,7 @@ static enum hobe_status search(struct search *s, struct hobe_error *err)
         if (!status && s->advice->holds && !hangs(s))
             break;
     }
-    if (!status && s->problem->can_be_linear)
+    if (!status && (s->problem->weighs_linear || s->problem->takes_linear))
         status = try_linear(s, err);
     if (!status)
         status = try_without(s, err);

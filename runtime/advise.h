@@ -15,6 +15,7 @@
 #define HOBE_ADVISE_H
 
 #include "hobe.h"
+#include "output.h"
 
 /* What a model leaves out to see what that loses; none is cheaper without. */
 enum advise_without {
@@ -31,7 +32,8 @@ struct advise_model {
     enum advise_without without;
 };
 
-/* Changes a material so that it leaves that out; 0 where it cannot, for the shear factors it has. */
+/* Changes a material so that it leaves that out; 0 where it cannot, for the shear factors it has.
+ */
 int advise_leave_out(enum advise_without without, struct hobe_material *material);
 
 /* Runs a model: its quantities, value[quantities], and the iterations (factorisations) that it
@@ -44,12 +46,13 @@ struct advise_problem {
     int quantities;
     const char *const *name; /* [quantities] */
     const char *const *unit; /* [quantities], NULL: none of its own */
-    double accuracy; /* largest error of a quantity, relative to it, or to a hundredth of the largest
-                        of its unit, where that is more; what is below 1e-12 counts as 0 */
+    double accuracy; /* largest error of a quantity, relative to it, or to a hundredth of the
+                        largest of its unit, where that is more; what is below 1e-12 counts as 0 */
     int levels;      /* at most ADVISE_LEVELS; each section's modes contain those before */
     const struct hobe_kernel *const *level;
-    int most; /* elements, at most */
-    int can_be_linear;
+    int most;          /* elements, at most */
+    int weighs_linear; /* what a linear model loses is to be known, ... */
+    int takes_linear;  /* ... and it may be taken */
     advise_run *run;
     void *context;
 };
@@ -61,7 +64,7 @@ enum { ADVISE_LEVELS = 8, ADVISE_MOST = 256 };
 int advise_levels(const struct hobe_kernel **level);
 
 /* What the step from the level before to this one is about: "warping in torsion". */
-const char *advise_effect(const struct hobe_kernel *kernel);
+const char *advise_step(const struct hobe_kernel *kernel);
 
 /* Operations of a model that takes so many iterations: force and tangent of the elements, and
  * elimination along the beam. */
@@ -84,17 +87,17 @@ struct advise_loss {
 
 struct advice {
     const struct advise_problem *problem; /* which must outlive it */
-    int holds;          /* the model holds the accuracy; else it came nearest */
-    int model;          /* the trial that is taken; -1: none ran */
-    struct advise_loss error; /* of it, by estimate, what is open included */
-    double open;        /* of the estimate of the quantities */
-    struct advise_loss mesh;  /* error of its mesh alone */
-    struct advise_loss level[ADVISE_LEVELS]; /* what leaving out the step to a level loses, 0 of
-                                                the first */
-    struct advise_loss linear;               /* what a linear model loses; NaN: not known */
+    int holds;                            /* the model holds the accuracy; else it came nearest */
+    int model;                            /* the trial that is taken; -1: none ran */
+    struct advise_loss error;             /* of it, by estimate, what is open included */
+    double open;                          /* of the estimate of the quantities */
+    struct advise_loss mesh;              /* error of its mesh alone */
+    struct advise_loss level[ADVISE_LEVELS];     /* what leaving out the step to a level loses, 0 of
+                                                    the first */
+    struct advise_loss linear;                   /* what a linear model loses; NaN: not known */
     struct advise_loss without[ADVISE_WITHOUTS]; /* NaN: not known */
-    double *best;   /* [quantities], the estimate */
-    double cost;    /* of all trials */
+    double *best;                                /* [quantities], the estimate */
+    double cost;                                 /* of all trials */
     struct advise_trial *trial;
     int trials, room;
 };
@@ -104,5 +107,23 @@ struct advice {
 enum hobe_status advise(const struct advise_problem *problem, struct advice *advice,
                         struct hobe_error *err);
 void advice_free(struct advice *advice);
+
+/* ---- what is said of it (advise_report.c) --------------------------------------------------- */
+
+/* An effect, what leaving it out loses, and whether the model taken has it: "needed", "kept" where
+ * it would not be, "left out"; for the mesh, what it costs. */
+struct advise_effect {
+    const char *effect, *verdict;
+    struct advise_loss loss;
+};
+enum { ADVISE_EFFECTS = ADVISE_LEVELS + ADVISE_WITHOUTS + 2 };
+
+/* Those that are known: effect[ADVISE_EFFECTS]; their number. */
+int advise_evidence(const struct advice *advice, struct advise_effect *effect);
+
+/* Appends the choice as a sentence, and the evidence as another, or as a table. */
+void advise_say(const struct advice *advice, struct hobe_text *text);
+void advise_say_evidence(const struct advice *advice, struct hobe_text *text);
+void advise_table(const struct advice *advice, struct hobe_text *text);
 
 #endif

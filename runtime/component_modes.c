@@ -20,7 +20,7 @@ static void touch_tie(const struct tie *tie, unsigned char *touched)
 
 static void touch_all(const struct hobe_model *model, unsigned char *touched)
 {
-    load_touch(model, touched);
+    load_touch(model, 0, touched);
     for (size_t i = 0; i < model->ties.count; i++)
         touch_tie(model_tie(model, i), touched);
     for (size_t i = 0; i < model->springs.count; i++)

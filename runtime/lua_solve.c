@@ -598,6 +598,9 @@ static const struct hobe_lua_key static_keys[] = {
     KEY(struct options, projection, KEY_GROUP, .group = &hobe_lua_projection_schema,
         .doc = "looks for corrections among few fields only, by the matrices and forces of the "
                "whole: it shows what such fields can do, and takes longer; not by series"),
+    NEWTON(linear, KEY_FLAG,
+           .doc = "the linear response to the loads instead, right where they are small: one "
+                  "correction from the reference; `residual` tells how far from equilibrium it is"),
     KEY(struct options, line_search, KEY_FLAG, .fallback = 1,
         .doc = "whether steps that increase the residual are shortened"),
     KEY(struct options, log, KEY_FLAG, .doc = "print each iteration on standard error"),
@@ -642,8 +645,10 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    note_change(L, info_of(*solution).change);
-    hobe_lua_note_reduced(L, info_of(*solution).indicator);
+    const struct hobe_solution_info info = info_of(*solution);
+    hobe_lua_context(L)->factorisations += info.factorisations;
+    note_change(L, info.change);
+    hobe_lua_note_reduced(L, info.indicator);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);

@@ -291,7 +291,7 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
 /* touched[vectors]: what is */
 static void mark(const struct hobe_model *model, unsigned char *touched)
 {
-    load_touch(model, touched);
+    load_touch(model, 1, touched);
     for (size_t i = 0; i < couplings(model); i++)
         for (int v = 0; v < coupling(model, i)->vectors; v++)
             touched[coupling(model, i)->vector[v]] = 1;

@@ -114,7 +114,7 @@ enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, 
     struct solver *s = &trust->s;
     double *force = NULL;
     memcpy(s->u, state->u, size_of(trust) * sizeof *s->u);
-    s->motion = (struct motion){.instant = solution_instant(state)};
+    s->motion = (struct motion){.instant = solution_instant(state, s->model)};
     if (state->w) {
         force = hobe_alloc(size_of(trust), sizeof *force, err);
         if (!force)
