@@ -2,6 +2,7 @@
 #include "assemble.h"
 
 #include "pattern.h"
+#include "reduction.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -287,6 +288,10 @@ static void add_batch(const struct assembly *a, const struct beam *beam, const s
 void assemble_expecting(const struct hobe_model *model, const double *u, const double *v, double *f,
                         const struct matrix *K)
 {
+    if (model->reduction) {
+        reduction_elastic(model, u, f, K);
+        return;
+    }
     memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
     if (K)
         pattern_clear(model, K);
@@ -411,6 +416,10 @@ enum hobe_status assemble_series_open(const struct hobe_model *model, int order,
                                       struct series_table *table, struct hobe_error *err)
 {
     size_t size;
+    if (model->reduction)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "method = \"series\" is for whole models; a reduced one is solved by "
+                         "method = \"newton\"");
     table->beam = hobe_alloc(2 * model->beams.count, sizeof *table->beam, err);
     if (!table->beam)
         return HOBE_NO_MEMORY;
@@ -449,20 +458,28 @@ void assemble_series(const struct hobe_model *model, int k, const double *u,
 
 /* ---- energy and single elements -------------------------------------------------------------- */
 
-double assemble_energy(const struct hobe_model *model, const double *u)
+double assemble_beam_energy(const struct hobe_model *model, const struct beam *beam,
+                            const double *u)
 {
     const struct workspace *work = model->schedule.work;
     double energy = 0;
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        for (int b = 0; b < beam->batches; b++) {
-            const struct batch *batch = beam->batch + b;
-            assemble_gather(model, beam, batch, u, work->u);
-            beam->kernel->energy(hobe_element_invariants(batch->law), batch->q0, work->u, work->f);
-            for (int lane = 0; lane < batch->count; lane++)
-                energy += work->f[0][lane];
-        }
+    for (int b = 0; b < beam->batches; b++) {
+        const struct batch *batch = beam->batch + b;
+        assemble_gather(model, beam, batch, u, work->u);
+        beam->kernel->energy(hobe_element_invariants(batch->law), batch->q0, work->u, work->f);
+        for (int lane = 0; lane < batch->count; lane++)
+            energy += work->f[0][lane];
     }
+    return energy;
+}
+
+double assemble_energy(const struct hobe_model *model, const double *u)
+{
+    double energy = 0;
+    if (model->reduction)
+        return reduction_energy(model, u);
+    for (size_t i = 0; i < model->beams.count; i++)
+        energy += assemble_beam_energy(model, model_beam(model, i), u);
     return energy;
 }
 
