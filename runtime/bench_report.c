@@ -46,6 +46,10 @@ enum {
     ITERATIONS,
     FACTORS,
     BYTES,
+    WHOLE,
+    OFFLINE,
+    REPAID,
+    TENSOR,
     COLUMNS
 };
 
@@ -73,6 +77,10 @@ static const struct {
     [ITERATIONS] = {"iterations per step", "iterations"},
     [FACTORS] = {"factors per step", "factors"},
     [BYTES] = {"bytes per element", "bytes"},
+    [WHOLE] = {"whole / this", "whole/this"},
+    [OFFLINE] = {"offline, s", "offline, s"},
+    [REPAID] = {"repaid after iterations", "repaid after"},
+    [TENSOR] = {"tensor, bytes", "tensor, bytes"},
 };
 
 static void fill(const struct bench_row *row, struct hobe_cell *cell)
@@ -95,6 +103,10 @@ static void fill(const struct bench_row *row, struct hobe_cell *cell)
         [ITERATIONS] = row->iterations,
         [FACTORS] = row->factors,
         [BYTES] = elements > 0 ? row->bytes / elements : 0,
+        [WHOLE] = row->whole,
+        [OFFLINE] = row->offline,
+        [REPAID] = row->whole > 1 ? row->offline / ((row->whole - 1) * time) : 0,
+        [TENSOR] = row->tensor,
     };
     for (int j = 0; j < DOFS; j++)
         cell[j].text = texts[j] ? texts[j] : "";
@@ -115,8 +127,9 @@ static const struct view everything = {
     "bench",
     {NULL, NULL},
     COLUMNS,
-    {KIND,   ELEMENT,     SECTION, PLAN, TAKEN, TASK,   DOFS,    ELEMENTS,   SECONDS, LEAST,
-     SPREAD, NANOSECONDS, FLOPS,   RATE, PEAK,  POINTS, PRINTED, ITERATIONS, FACTORS, BYTES},
+    {KIND,    ELEMENT,    SECTION, PLAN,        TAKEN, TASK,    DOFS,   ELEMENTS,
+     SECONDS, LEAST,      SPREAD,  NANOSECONDS, FLOPS, RATE,    PEAK,   POINTS,
+     PRINTED, ITERATIONS, FACTORS, BYTES,       WHOLE, OFFLINE, REPAID, TENSOR},
     0,
 };
 static const struct view views[] = {
@@ -139,6 +152,11 @@ static const struct view views[] = {
      {"motion", NULL},
      7,
      {ELEMENT, ELEMENTS, TASK, SECONDS, SPREAD, ITERATIONS, FACTORS},
+     3},
+    {"Newton iterations of a cantilever, whole and reduced",
+     {"reduced", NULL},
+     8,
+     {ELEMENT, ELEMENTS, DOFS, SECONDS, WHOLE, OFFLINE, REPAID, TENSOR},
      3},
 };
 
