@@ -239,15 +239,21 @@ void bench_text(const struct bench_rows *rows, enum bench_format format, struct 
 
 /* ---- pictures ------------------------------------------------------------------------------- */
 
-/* A diagram of the time per element, its rows in series of those that are alike. */
+/* A diagram, its rows in series of those that are alike. */
 struct figure {
-    const char *name, *title, *xlabel;
+    const char *name, *title, *xlabel, *ylabel;
     enum hobe_style style;
     int log_x;
     double (*x)(const struct bench_row *row); /* 0: the row is not in it */
+    double (*y)(const struct bench_row *row);
     int (*alike)(const struct bench_row *a, const struct bench_row *b);
     const char *(*label)(const struct bench_row *row, char *text, size_t size);
 };
+
+static double time_per_element(const struct bench_row *row)
+{
+    return 1e6 * row->time.median / (double)row->elements;
+}
 
 static double kernel_x(const struct bench_row *row)
 {
@@ -281,11 +287,36 @@ static const char *scene_label(const struct bench_row *row, char *text, size_t s
     return text;
 }
 
+static double reduced_x(const struct bench_row *row)
+{
+    return row->offline > 0 ? row->dofs : 0;
+}
+
+static double reduced_gain(const struct bench_row *row)
+{
+    return row->whole;
+}
+
+static int reduced_alike(const struct bench_row *a, const struct bench_row *b)
+{
+    return !strcmp(a->element, b->element) && a->elements == b->elements;
+}
+
+static const char *reduced_label(const struct bench_row *row, char *text, size_t size)
+{
+    snprintf(text, size, "%ld x %s", row->elements, row->element);
+    return text;
+}
+
 static const struct figure figures[] = {
     {"kernels", "Elements on a rectangle, in batches of eight", "degrees of freedom of an element",
-     HOBE_STYLE_POINTS, 0, kernel_x, kernel_alike, kernel_label},
-    {"scenes", "Steps of a Newton iteration on beams", "elements of the beam",
-     HOBE_STYLE_LINESPOINTS, 1, scene_x, scene_alike, scene_label},
+     "µs per element", HOBE_STYLE_POINTS, 0, kernel_x, time_per_element, kernel_alike,
+     kernel_label},
+    {"scenes", "Steps of a Newton iteration on beams", "elements of the beam", "µs per element",
+     HOBE_STYLE_LINESPOINTS, 1, scene_x, time_per_element, scene_alike, scene_label},
+    {"reduced", "Newton iterations of reduced models", "unknowns",
+     "times that one of the whole model takes longer", HOBE_STYLE_LINESPOINTS, 0, reduced_x,
+     reduced_gain, reduced_alike, reduced_label},
 };
 
 /* What a figure is made of while it is drawn; room for all rows. */
@@ -310,7 +341,7 @@ static size_t add_series(const struct bench_rows *rows, const struct figure *fig
         if (!(x > 0) || !figure->alike(rows->at + j, row))
             continue;
         d->x[used + count] = x;
-        d->y[used + count++] = 1e6 * rows->at[j].time.median / (double)rows->at[j].elements;
+        d->y[used + count++] = figure->y(rows->at + j);
     }
     const char *label = figure->label(row, d->label[d->count], sizeof d->label[0]);
     d->series[d->count++] =
@@ -360,7 +391,7 @@ static enum hobe_status draw(const struct bench_rows *rows, const struct figure 
             used += add_series(rows, figure, i, &d, used);
     const struct hobe_plot plot = {.title = figure->title,
                                    .xlabel = figure->xlabel,
-                                   .ylabel = "µs per element",
+                                   .ylabel = figure->ylabel,
                                    .count = d.count,
                                    .series = d.series,
                                    .log_x = figure->log_x,
