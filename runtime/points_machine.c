@@ -35,6 +35,10 @@ struct work {
 
 enum { ROWS = sizeof(struct rows) / sizeof(hobe_real), ETA_ROWS = 9, ETA = 1 /* yy, in Voigt */ };
 
+/* What a point is stays in registers: these know, where they are inlined, whether the element is
+ * plain, with neither differences nor means to take. */
+#define AT_POINT static inline __attribute__((always_inline))
+
 /* Entries of a symmetric tensor. */
 static const int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
@@ -57,7 +61,7 @@ static void gather(const struct points *p, const hobe_real *q, hobe_real *x)
         }
 }
 
-static void deform(int vectors, const double *G, const hobe_real *x, hobe_real F[3][3])
+AT_POINT void deform(int vectors, const double *G, const hobe_real *x, hobe_real F[3][3])
 {
     clear(F[0], 9);
     for (int v = 0; v < vectors; v++)
@@ -67,7 +71,7 @@ static void deform(int vectors, const double *G, const hobe_real *x, hobe_real F
 }
 
 /* F'F - 1 */
-static void strain_of(hobe_real F[3][3], hobe_real *strain)
+AT_POINT void strain_of(hobe_real F[3][3], hobe_real *strain)
 {
     for (int r = 0; r < 6; r++) {
         const int a = voigt[r][0], b = voigt[r][1];
@@ -79,7 +83,7 @@ static void strain_of(hobe_real F[3][3], hobe_real *strain)
 
 /* F'F - F0'F0 = M'H + H'M with the mean M = F0 + H/2, which loses nothing where H is small; F0
  * becomes F. */
-static void strain_by(hobe_real F[3][3], hobe_real H[3][3], hobe_real *strain)
+AT_POINT void strain_by(hobe_real F[3][3], hobe_real H[3][3], hobe_real *strain)
 {
     for (int i = 0; i < 9; i++)
         F[i / 3][i % 3] += 0.5 * H[i / 3][i % 3];
@@ -102,17 +106,9 @@ static void warp(const struct points *p, const double *G, const hobe_real *x, ho
                 W[i][a] += G[3 * v + a] * x[3 * v + i];
 }
 
-static void set_strain(const struct work *w, const double *G, struct at_point *at)
+static void set_eta(const struct work *w, const double *G, struct at_point *at)
 {
     hobe_real H[3][3], W[3][3] = {{{0}}}, strain[6];
-    deform(w->p->vectors, G, w->x0 ? w->x0 : w->x, at->F);
-    if (w->x0) {
-        deform(w->p->vectors, G, w->x, H);
-        strain_by(at->F, H, at->strain);
-    } else
-        strain_of(at->F, at->strain);
-    if (!w->p->warps)
-        return;
     if (w->x0)
         warp(w->p, G, w->x0, W);
     warp(w->p, G, w->x, H);
@@ -122,10 +118,25 @@ static void set_strain(const struct work *w, const double *G, struct at_point *a
         at->W[i / 2][i % 2] = W[i / 2][1 + i % 2];
 }
 
+AT_POINT void set_strain(const struct work *w, const double *G, int plain, struct at_point *at)
+{
+    hobe_real H[3][3];
+    if (plain || !w->x0) {
+        deform(w->p->vectors, G, w->x, at->F);
+        strain_of(at->F, at->strain);
+    } else {
+        deform(w->p->vectors, G, w->x0, at->F);
+        deform(w->p->vectors, G, w->x, H);
+        strain_by(at->F, H, at->strain);
+    }
+    if (!plain && w->p->warps)
+        set_eta(w, G, at);
+}
+
 /* ---- stress --------------------------------------------------------------------------------- */
 
-static void law_stress(const struct hobe_elasticity *C, double weight, const hobe_real *strain,
-                       hobe_real *stress)
+AT_POINT void law_stress(const struct hobe_elasticity *C, double weight, const hobe_real *strain,
+                         hobe_real *stress)
 {
     for (int a = 0; a < 3; a++) {
         stress[a] = 0.5 * weight *
@@ -135,21 +146,42 @@ static void law_stress(const struct hobe_elasticity *C, double weight, const hob
     }
 }
 
-/* The stress of a point's strain, of which eta is taken at its mean; and what the mean strain adds.
- */
-static void set_stress(const struct points *p, int i, const struct at_station *station,
-                       struct at_point *at)
+/* eta is taken at its mean. */
+static void relieve(const struct at_station *station, struct at_point *at)
+{
+    for (int r = 0; r < 3; r++)
+        at->strain[ETA + r] += station->eta[r] - at->eta[r];
+}
+
+/* What works on eta: less the stress at the point, plus its share of all. */
+static void set_eta_stress(const double *share, const struct at_station *station,
+                           const hobe_real *stress, struct at_point *at)
+{
+    for (int r = 0; r < 3; r++) {
+        const int a = voigt[ETA + r][0] - 1, b = voigt[ETA + r][1] - 1;
+        at->T[a][b] = at->T[b][a] = share[r / 2] * station->sum[r] - stress[ETA + r];
+    }
+}
+
+static void add_mean_stress(const double *share, const struct at_station *station,
+                            hobe_real *stress)
+{
+    for (int r = 0; r < 6; r++)
+        stress[r] += share[r / 3] * station->stress[r];
+}
+
+/* The stress of a point's strain, and what the mean strain adds. */
+AT_POINT void set_stress(const struct points *p, int i, const struct at_station *station, int plain,
+                         struct at_point *at)
 {
     hobe_real stress[6];
-    for (int r = 0; p->warps && r < 3; r++)
-        at->strain[ETA + r] += station->eta[r] - at->eta[r];
+    if (!plain && p->warps)
+        relieve(station, at);
     law_stress(p->law + p->region[i], p->weight[i], at->strain, stress);
-    for (int r = 0; p->warps && r < 3; r++) {
-        const int a = voigt[ETA + r][0] - 1, b = voigt[ETA + r][1] - 1;
-        at->T[a][b] = at->T[b][a] = p->share[2 * i + r / 2] * station->sum[r] - stress[ETA + r];
-    }
-    for (int r = 0; p->share && r < 6; r++)
-        stress[r] += p->share[2 * i + r / 3] * station->stress[r];
+    if (!plain && p->warps)
+        set_eta_stress(p->share + 2 * i, station, stress, at);
+    if (!plain && p->share)
+        add_mean_stress(p->share + 2 * i, station, stress);
     for (int r = 0; r < 6; r++)
         at->S[voigt[r][0]][voigt[r][1]] = at->S[voigt[r][1]][voigt[r][0]] = stress[r];
 }
@@ -187,26 +219,32 @@ static void set_mean_stress(const struct points *p, int g, struct at_station *st
 
 /* ---- force and tangent ---------------------------------------------------------------------- */
 
-/* f_v += F S G_v, and W T G_v of a vector that warps */
-static void add_force(const struct points *p, const double *G, const struct at_point *at,
-                      hobe_real *f)
+/* f_v += F S G_v */
+AT_POINT void add_force(int vectors, const double *G, const struct at_point *at, hobe_real *f)
 {
     for (int i = 0; i < 3; i++) {
         hobe_real P[3];
         for (int a = 0; a < 3; a++)
             P[a] =
                 at->F[i][0] * at->S[0][a] + at->F[i][1] * at->S[1][a] + at->F[i][2] * at->S[2][a];
-        for (int v = 0; v < p->vectors; v++)
+        for (int v = 0; v < vectors; v++)
             f[(3 * v + i) * HOBE_PARTS] +=
                 P[0] * G[3 * v] + P[1] * G[3 * v + 1] + P[2] * G[3 * v + 2];
-        for (int v = 0; p->warps && v < p->vectors; v++)
-            for (int a = 0; p->warps[v] && a < 2; a++)
-                f[(3 * v + i) * HOBE_PARTS] +=
-                    (at->W[i][0] * at->T[0][a] + at->W[i][1] * at->T[1][a]) * G[3 * v + 1 + a];
     }
 }
 
-static void set_B(const double *G, const struct at_point *at, hobe_real *B)
+/* f_v += W T G_v of vectors that warp */
+static void add_eta_force(const struct points *p, const double *G, const struct at_point *at,
+                          hobe_real *f)
+{
+    for (int v = 0; v < p->vectors; v++)
+        for (int i = 0; p->warps[v] && i < 3; i++)
+            for (int a = 0; a < 2; a++)
+                f[(3 * v + i) * HOBE_PARTS] +=
+                    (at->W[i][0] * at->T[0][a] + at->W[i][1] * at->T[1][a]) * G[3 * v + 1 + a];
+}
+
+AT_POINT void set_B(const double *G, const struct at_point *at, hobe_real *B)
 {
     for (int i = 0; i < 3; i++)
         for (int r = 0; r < 3; r++) {
@@ -226,7 +264,7 @@ static void set_eta_B(const double *G, const struct at_point *at, hobe_real *B)
     }
 }
 
-static void set_CB(const struct hobe_elasticity *C, double weight, struct rows *rows)
+AT_POINT void set_CB(const struct hobe_elasticity *C, double weight, struct rows *rows)
 {
     const hobe_real *B = rows->B;
     hobe_real *CB = rows->CB;
@@ -238,25 +276,34 @@ static void set_CB(const struct hobe_elasticity *C, double weight, struct rows *
         }
 }
 
-/* Of a vector at a point, with eta of the mean in the place of its own. */
-static void set_rows(const struct work *w, int i, int v, const double *G, const struct at_point *at,
-                     struct rows *rows)
+/* eta of the mean in the place of its own, of a vector that warps. */
+static void relieve_rows(const double *G, const struct at_point *at, const hobe_real *mean,
+                         hobe_real *B)
+{
+    hobe_real own[ETA_ROWS];
+    set_eta_B(G, at, own);
+    for (int r = 0; r < ETA_ROWS; r++)
+        B[3 * ETA + r] += mean[r] - own[r];
+}
+
+/* Of all vectors at a point. */
+AT_POINT void set_rows(const struct work *w, int i, const double *G, int plain,
+                       const struct at_point *at)
 {
     const struct points *p = w->p;
-    hobe_real own[ETA_ROWS];
-    set_B(G, at, rows->B);
-    if (p->warps && p->warps[v]) {
-        set_eta_B(G, at, own);
-        for (int r = 0; r < ETA_ROWS; r++)
-            rows->B[3 * ETA + r] += w->eta[v][r] - own[r];
+    for (int v = 0; v < p->vectors; v++, G += 3) {
+        struct rows *rows = w->rows + v;
+        set_B(G, at, rows->B);
+        if (!plain && p->warps && p->warps[v])
+            relieve_rows(G, at, w->eta[v], rows->B);
+        set_CB(p->law + p->region[i], p->weight[i], rows);
+        for (int a = 0; a < 3; a++)
+            rows->SG[a] = at->S[a][0] * G[0] + at->S[a][1] * G[1] + at->S[a][2] * G[2];
     }
-    set_CB(p->law + p->region[i], p->weight[i], rows);
-    for (int a = 0; a < 3; a++)
-        rows->SG[a] = at->S[a][0] * G[0] + at->S[a][1] * G[1] + at->S[a][2] * G[2];
 }
 
 /* K += B'CB + G S G' 1, its lower triangle; G[vectors][3], rows[vectors] */
-static void add_tangent(int vectors, const double *G, const struct rows *rows, hobe_real *K)
+AT_POINT void add_tangent(int vectors, const double *G, const struct rows *rows, hobe_real *K)
 {
     for (int v = 0; v < vectors; v++)
         for (int w = 0; w <= v; w++, K += 9 * HOBE_PARTS) {
@@ -320,7 +367,7 @@ static void find_means(const struct work *w, int g, struct at_station *station)
     for (int i = p->first[g]; i < p->first[g + 1]; i++) {
         const double *G = p->gradient + 3 * V * i;
         struct at_point at;
-        set_strain(w, G, &at);
+        set_strain(w, G, 0, &at);
         add_means(p, i, &at, station);
         if (w->K)
             add_mean_rows(w, i, G, &at);
@@ -332,26 +379,35 @@ static void find_means(const struct work *w, int g, struct at_station *station)
         add_tangent(V, p->gradient, w->mean, w->K); /* no S G: that is the points' */
 }
 
+AT_POINT void add_point(const struct work *w, int i, const struct at_station *station, int plain)
+{
+    const struct points *p = w->p;
+    const double *G = p->gradient + 3 * p->vectors * i;
+    struct at_point at;
+    set_strain(w, G, plain, &at);
+    set_stress(p, i, station, plain, &at);
+    add_force(p->vectors, G, &at, w->f);
+    if (!plain && p->warps)
+        add_eta_force(p, G, &at, w->f);
+    if (!w->K)
+        return;
+    set_rows(w, i, G, plain, &at);
+    add_tangent(p->vectors, G, w->rows, w->K);
+    if (!plain && p->warps)
+        add_eta_tangent(p, G, &at, w->K);
+}
+
 static void add_station(const struct work *w, int g)
 {
     const struct points *p = w->p;
-    const int V = p->vectors;
+    const int plain = !w->x0 && !p->share;
     struct at_station station = {.strain = {{0}}};
-    struct at_point at = {.W = {{{0}}}}; /* and stays 0 where nothing is relieved */
     if (p->share)
         find_means(w, g, &station);
-    for (int i = p->first[g]; i < p->first[g + 1]; i++) {
-        const double *G = p->gradient + 3 * V * i;
-        set_strain(w, G, &at);
-        set_stress(p, i, &station, &at);
-        add_force(p, G, &at, w->f);
-        for (int v = 0; w->K && v < V; v++)
-            set_rows(w, i, v, G + 3 * v, &at, w->rows + v);
-        if (w->K)
-            add_tangent(V, G, w->rows, w->K);
-        if (w->K && p->warps)
-            add_eta_tangent(p, G, &at, w->K);
-    }
+    for (int i = p->first[g]; plain && i < p->first[g + 1]; i++)
+        add_point(w, i, &station, 1);
+    for (int i = p->first[g]; !plain && i < p->first[g + 1]; i++)
+        add_point(w, i, &station, 0);
 }
 
 points_function HOBE_KERNEL(points);
