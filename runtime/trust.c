@@ -114,7 +114,7 @@ enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, 
     struct solver *s = &trust->s;
     double *force = NULL;
     memcpy(s->u, state->u, size_of(trust) * sizeof *s->u);
-    s->motion = (struct motion){.instant = solution_instant(state)};
+    s->motion = (struct motion){.instant = solution_instant(state, s->model)};
     if (state->w) {
         force = hobe_alloc(size_of(trust), sizeof *force, err);
         if (!force)
@@ -133,4 +133,18 @@ enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, 
     for (size_t i = 0; i < size_of(trust); i++)
         correction[i] = s->u[i] - s->start[i];
     return HOBE_OK;
+}
+
+enum hobe_status trust_ask(hobe_model *whole, hobe_solution *state, struct hobe_error *err)
+{
+    struct trust trust;
+    enum hobe_status status = trust_open(&trust, whole, err);
+    if (!status)
+        status = trust_measure(&trust, state, &state->info.indicator, NULL, err);
+    if (status == HOBE_SINGULAR) {
+        state->info.indicator = INFINITY;
+        status = HOBE_OK;
+    }
+    trust_close(&trust);
+    return status;
 }
