@@ -9,6 +9,7 @@
  * is what the mixed derivatives of a pair would span. */
 #include "basis.h"
 
+#include "closure.h"
 #include "mass.h"
 #include "mixture.h"
 #include "modes.h"
@@ -282,6 +283,20 @@ static void take(struct span *span, struct basis *basis)
     span->field = NULL;
 }
 
+static enum hobe_status check_closed(const struct hobe_reduce *o, struct hobe_error *err)
+{
+    if (o->closed != 0 && o->closed != 2 && o->closed != 3)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a basis is closed under rotations in a plane, 2, or in space, 3; got "
+                         "closed = %d",
+                         o->closed);
+    if (o->closed == 2 && !(length3(o->normal) > 0 && isfinite(length3(o->normal))))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a basis closed in a plane needs its normal, got {%g, %g, %g}",
+                         o->normal[0], o->normal[1], o->normal[2]);
+    return HOBE_OK;
+}
+
 enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
                             struct basis *basis, struct hobe_error *err)
 {
@@ -290,11 +305,15 @@ enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
     *basis = (struct basis){0};
     if (o.modes <= 0)
         o.modes = DEFAULT_MODES;
-    enum hobe_status status = hobe_model_build(full, err);
+    enum hobe_status status = check_closed(&o, err);
+    if (!status)
+        status = hobe_model_build(full, err);
     if (!status)
         status = open_source(&s, full, err);
     if (!status)
         status = make(&s, err);
+    if (!status && o.closed)
+        status = closure_add(&s.span, o.closed, o.normal, err);
     if (!status)
         take(&s.span, basis);
     close_source(&s);

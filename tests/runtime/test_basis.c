@@ -6,6 +6,7 @@
 #include "scene.h"
 #include "solution.h"
 #include "trust.h"
+#include "vector3.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -301,6 +302,89 @@ static void indicator(void)
     hobe_section_free(section);
 }
 
+/* ---- rotations ------------------------------------------------------------------------------- */
+
+/* u[vectors][3] = R (x_0 + u) - x_0 with a random rotation, about the normal unless NULL. */
+static void turn(const hobe_model *model, const double *normal, double *u)
+{
+    double axis[3], *x0 = calloc((size_t)(3 * model->vectors), sizeof *x0);
+    const double angle = random_real(-3, 3);
+    random_direction(axis);
+    if (normal)
+        memcpy(axis, normal, sizeof axis);
+    model_reference(model, x0);
+    for (long v = 0; v < model->beam_vectors; v++) {
+        double q[3], across[3];
+        for (int a = 0; a < 3; a++)
+            q[a] = x0[3 * v + a] + u[3 * v + a];
+        cross3(axis, q, across);
+        for (int a = 0; a < 3; a++)
+            u[3 * v + a] = cos(angle) * q[a] + sin(angle) * across[a] +
+                           (1 - cos(angle)) * dot3(axis, q) * axis[a] - x0[3 * v + a];
+    }
+    free(x0);
+}
+
+/* A bar on a joint, which may turn as a whole: its states, turned, are in the closed space. */
+static void closed(int of, const double normal[3])
+{
+    struct hobe_error err;
+    struct basis basis;
+    hobe_section *section = rectangle(0.1, 0.06);
+    const struct hobe_beam beam = beam_along_x("MGD30w", 3, section, 1e9, 0.3, 2);
+    hobe_model *model = new_model();
+    add_beam(model, &beam);
+    add_joint(model, &(struct hobe_joint){.beam = {"beam"}, .kind = HOBE_JOINT_FIXED});
+    add_force(model, "beam", 1, 0, normal ? 0 : 200, 500);
+    struct hobe_reduce options = {.modes = 3, .closed = of};
+    if (normal)
+        memcpy(options.normal, normal, sizeof options.normal);
+    expect_ok(basis_make(model, &options, &basis, &err), &err);
+    const long n = basis.n, size = 3 * model->vectors;
+    double *u = calloc((size_t)size, sizeof *u);
+    for (long j = 0; j < 3; j++)
+        for (long i = 0; i < size; i++)
+            u[i] += 0.1 * basis.field[j * size + i];
+    turn(model, normal, u);
+    expect_ok(basis_add(&basis, model, u, &err), &err);
+    check_that(basis.n == n, "closed = %d: a turned state is among the %ld fields", of, n);
+    u[3 * (model->beam_vectors / 2)] += 1;
+    expect_ok(basis_add(&basis, model, u, &err), &err);
+    check_that(basis.n == n + 1, "closed = %d: and another one is not", of);
+    free(u);
+    basis_free(&basis);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
+/* ---- what makes no basis --------------------------------------------------------------------- */
+
+static void refused(hobe_model *model, const struct hobe_reduce *options, const char *sentence)
+{
+    struct hobe_error err;
+    struct basis basis;
+    const enum hobe_status status = basis_make(model, options, &basis, &err);
+    check_that(status == HOBE_BAD_INPUT && strstr(err.message, sentence), "\"%s\": %s", sentence,
+               status ? err.message : "no error");
+    basis_free(&basis);
+}
+
+static void refusals(void)
+{
+    hobe_section *section = rectangle(0.1, 0.06);
+    struct hobe_beam beam = beam_along_x("MGD30w", 3, section, 1e9, 0.3, 2);
+    hobe_model *model = cantilever(&beam, 0);
+    refused(model, &(struct hobe_reduce){.modes = 3}, "there are none");
+    refused(model, &(struct hobe_reduce){.closed = 1}, "got closed = 1");
+    refused(model, &(struct hobe_reduce){.closed = 2}, "needs its normal, got {0, 0, 0}");
+    beam.elements = 4;
+    hobe_model *other = twisted(&beam, 1);
+    refused(model, &(struct hobe_reduce){.loads = &other, .load_count = 1}, "number 1 has others");
+    hobe_model_free(other);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
 int main(void)
 {
     random_start();
@@ -308,5 +392,8 @@ int main(void)
     angles();
     spin();
     indicator();
+    closed(3, NULL);
+    closed(2, (const double[]){0, 1, 0});
+    refusals();
     return check_report();
 }
