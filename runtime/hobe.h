@@ -727,6 +727,8 @@ struct hobe_solution_info {
     double outside;     /* residual of the full model, most of which a projection does not see */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
+    double indicator;    /* of a reduced model: what its displacements may lack of those of the
+                            whole one, relative to their size; 0 of whole models; NaN: not asked */
     double seconds;      /* in the verb so far, without set-up */
 };
 
@@ -1148,5 +1150,68 @@ enum hobe_status hobe_buckling(hobe_model *model, const hobe_solution *state,
 
 /* The i-th critical load factor; NaN where there is none. */
 double hobe_modes_factor(const hobe_modes *modes, int i);
+
+/* ---- reduced models (reduction.c, basis.c, quartic.c) ----------------------------------------
+ */
+
+/* A basis of displacements of a model, and its strain energy on it:
+ *
+ *     u = u_c + sum_j q_j phi_j,     U(q) a polynomial of fourth degree, exact,
+ *
+ * phi_j fields on all nodal vectors of the beams.  What is held in the model is held in all of
+ * them; joints, springs, bodies, masses and loads act as they do on the whole model. */
+typedef struct hobe_reduced hobe_reduced;
+
+enum hobe_reduce_method {
+    HOBE_REDUCE_SERIES, /* derivatives of the paths under the loads, of higher and higher order */
+    HOBE_REDUCE_MODES,  /* lowest vibration modes, static responses, and their derivatives */
+    HOBE_REDUCE_FIELDS  /* the fields that are given, dependent ones left out */
+};
+
+struct hobe_reduce {
+    enum hobe_reduce_method method;
+    int modes;       /* unknowns q, at most; 0: as many as accuracy needs, or 12 */
+    double accuracy; /* relative, of the displacements under the loads of interest; 0: modes say */
+    const hobe_solution *centre; /* u_c: a state of the model, copied; NULL: the reference */
+    int closed; /* 0; 3: with each field its components along all axes, so that any rotation of the
+                   whole is in the basis; 2: those along the axes of a plane */
+    double normal[3];         /* of that plane */
+    hobe_model *const *loads; /* [load_count] models of the same beams and supports whose loads are
+                                 of interest beside those of the model */
+    int load_count;
+    const double *field; /* [fields][vectors][3] of HOBE_REDUCE_FIELDS, m */
+    int fields;
+};
+
+struct hobe_reduced_info {
+    enum hobe_reduce_method method;
+    int unknowns;   /* q */
+    int closed;     /* as in hobe_reduce */
+    long whole;     /* unknowns of the model */
+    double seconds; /* offline: basis and energy; of one that was read, to read it */
+};
+
+/* Makes the basis and the energy on it.  HOBE_BAD_INPUT for elements whose energy is not quartic,
+ * and options that make no basis.  On success *reduced is owned by the caller and refers to the
+ * model, which must outlive it. */
+enum hobe_status hobe_reduce(hobe_model *model, const struct hobe_reduce *options,
+                             hobe_reduced **reduced, struct hobe_error *err);
+void hobe_reduced_free(hobe_reduced *reduced);
+void hobe_reduced_info(const hobe_reduced *reduced, struct hobe_reduced_info *info);
+
+/* A model for hobe_static, hobe_path_follow, hobe_modal and hobe_dynamic whose unknowns are q: the
+ * reduced form of `model`, which has the beams and supports of the one that the basis was made of,
+ * or is it, and its own loads.  Solutions are handed out as such of `model`, expanded.
+ * HOBE_BAD_INPUT where the beams or supports differ.  On success *small is owned by the caller and
+ * refers to both, which must outlive it. */
+enum hobe_status hobe_reduced_model(const hobe_reduced *reduced, hobe_model *model,
+                                    hobe_model **small, struct hobe_error *err);
+
+/* The basis as bytes, for a file, in *bytes, which the caller frees by hobe_free; and from such,
+ * for the model it was made of.  HOBE_BAD_INPUT where the bytes are damaged or of another model. */
+enum hobe_status hobe_reduced_write(const hobe_reduced *reduced, void **bytes, size_t *size,
+                                    struct hobe_error *err);
+enum hobe_status hobe_reduced_read(hobe_model *model, const void *bytes, size_t size,
+                                   hobe_reduced **reduced, struct hobe_error *err);
 
 #endif

@@ -299,6 +299,7 @@ static int solve_dynamic(lua_State *L)
         hobe_lua_raise(L, &err);
     if (context->program && context->folder)
         write_rows(context, history->history);
+    hobe_lua_note_reduced(L, NAN);
     if (options.dynamic.rho > 0.9)
         hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
                          "motions with joints may fail");

@@ -103,6 +103,9 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
+    SOLVED("indicator", solution.indicator, 'd', NULL,
+           "of a reduced model: what the displacements may lack of those of the whole scene, "
+           "relative to their size; 0 of whole ones; not a number where it was not asked"),
     SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
     SOLVED("projected", solution.projected, 'l', NULL,
@@ -512,10 +515,7 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
     lua_settop(L, 2);
     if (hobe_lua_context(L)->called)
         hobe_lua_fail(L, "%s: a function that a solver calls cannot solve", schema->name);
-    struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
-    if (!scene)
-        hobe_lua_fail(L, "%s must be given a scene, %s(hobe.scene{...}), got %s", schema->name,
-                      schema->name, hobe_lua_describe(L, 1));
+    struct hobe_lua_scene *scene = hobe_lua_read_scene(L, schema->name);
     if (lua_isnil(L, 2)) {
         lua_newtable(L);
         lua_replace(L, 2);
@@ -570,11 +570,11 @@ static const struct hobe_lua_key static_keys[] = {
 
 static const struct hobe_lua_schema static_schema = {"static", static_keys};
 
-static double change_of(const hobe_solution *solution)
+static struct hobe_solution_info info_of(const hobe_solution *solution)
 {
     struct hobe_solution_info info;
     hobe_solution_info(solution, &info);
-    return info.change;
+    return info;
 }
 
 /* Says when few digits are settled. */
@@ -607,7 +607,8 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    note_change(L, change_of(*solution));
+    note_change(L, info_of(*solution).change);
+    hobe_lua_note_reduced(L, info_of(*solution).indicator);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
@@ -704,16 +705,18 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
 {
     static const char *const ends[] = {"load", "displacement", "steps"};
     struct hobe_path_info info;
-    double change = 0;
+    double change = 0, indicator = NAN;
     hobe_path_info(path, &info);
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);
         *point = hobe_path_take(path, i);
-        change = fmax(change, change_of(*point));
+        change = fmax(change, info_of(*point).change);
+        indicator = fmax(indicator, info_of(*point).indicator);
         lua_rawseti(L, -2, i + 1);
     }
     note_change(L, change);
+    hobe_lua_note_reduced(L, indicator);
     lua_pushstring(L, ends[info.end]);
     lua_setfield(L, -2, "ended");
     set_number(L, "solve_seconds", info.seconds);

@@ -11,6 +11,7 @@
 #include "load.h"
 #include "mass.h"
 #include "pattern.h"
+#include "reduction.h"
 #include "snapshot_modes.h"
 #include "solution.h"
 #include "spring.h"
@@ -426,13 +427,21 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 
 /* ---- a start from another solution ----------------------------------------------------------- */
 
+/* Whether the start is a state of the model or of one with the same unknowns. */
+static int fits(const hobe_model *model, const hobe_solution *start)
+{
+    const struct reduction *reduction = model->reduction;
+    return reduction ? start->reduced == reduction->of && start->coordinates == model->vectors
+                     : model_same_shape(model, start->model);
+}
+
 /* Newton at the full load from the start that is given, in one step; FAILED leaves the reference.
  */
 static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
 {
     const hobe_solution *start = s->options.start;
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
-    if (!model_same_shape(s->model, start->model)) {
+    if (!fits(s->model, start)) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL,
                   "start must be a result of this scene or of one of the same shape (the same "
                   "elements, joins and supports in the same order): it has %ld unknowns, here are "
@@ -440,7 +449,7 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
                   3 * start->model->unknowns, 3 * s->model->unknowns);
         return ERROR;
     }
-    memcpy(s->u, start->u, size);
+    memcpy(s->u, solution_field(start, s->model, SOLUTION_U), size);
     memcpy(s->start, s->u, size);
     s->now.step = 1;
     if (solver_confine(s, 1, err))
@@ -463,6 +472,10 @@ static void set_scale(struct solver *s)
 {
     solver_evaluate(s, 1, TRUE_TANGENT);
     pattern_scale(s->model, &s->K, s->scale);
+    if (s->model->reduction && s->model->reduction->of->centre) { /* where F is not 0 */
+        memset(s->r, 0, (size_t)(3 * s->model->vectors) * sizeof *s->r);
+        load_subtract(s->model, s->u, &s->motion.instant, 1, s->r, NULL);
+    }
     s->load_norm = solver_norm(s, s->r, 1); /* F = 0 at the reference */
     if (s->reference)
         memcpy(s->reference, s->scale, (size_t)(3 * s->model->unknowns) * sizeof *s->scale);
@@ -532,8 +545,12 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
 {
     *s = (struct solver){.model = model, .options = *options, .singular = -1};
     s->info.negative = -1;
+    s->info.indicator = model->reduction ? NAN : 0;
     set_defaults(&s->options);
     s->motion.instant.time = s->info.time = options->time;
+    if (options->projection && model->reduction)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a projection is for whole scenes, not for reduced models");
     const enum hobe_status status = allocate(s, err);
     if (status)
         return status;
