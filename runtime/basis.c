@@ -9,15 +9,19 @@
  * is what the mixed derivatives of a pair would span. */
 #include "basis.h"
 
+#include "closure.h"
+#include "mass.h"
 #include "mixture.h"
 #include "modes.h"
 #include "solution.h"
 #include "span.h"
+#include "vector3.h"
 
 #include <math.h>
 
 enum { DEFAULT_MODES = 12, PARTS = 3 /* of a right angle between two loads */ };
 
+static const double AMPLITUDE = 0.1;    /* of modes whose paths are followed: rad, or the length */
 static const double INDEPENDENT = 1e-5; /* share of a field that must be new */
 
 /* What a basis is made of: directions of load, and the fields so far. */
@@ -27,6 +31,9 @@ struct source {
     int count;
     hobe_model **model; /* [count] whose loads are the directions */
     double *weight;     /* [count] of the mixture at hand */
+    hobe_modes *modes;  /* of the method by modes, whose forces of inertia are directions, too */
+    struct mixture *inertia; /* [modes] */
+    int opened;              /* of them */
 };
 
 /* The steps of a path, in units of its linear arc: the unknowns of a basis want as many states. */
@@ -119,17 +126,20 @@ static enum hobe_status by_series(struct source *s, struct hobe_error *err)
     return status ? status : span_compress(&s->span, 0, s->options->modes, err);
 }
 
+/* The modes themselves, so that small vibrations are exact; then what they and the loads make of
+ * one another. */
 static enum hobe_status by_modes(struct source *s, struct hobe_error *err)
 {
-    const struct hobe_modal_options options = {.modes = s->options->modes};
-    hobe_modes *modes;
-    enum hobe_status status = hobe_modal(s->span.model, s->options->centre, &options, &modes, err);
-    for (int i = 0; !status && i < modes->info.count; i++)
-        status = span_add(&s->span, modes_shape(modes, i, NULL), err);
-    hobe_modes_free(modes);
-    if (!status)
-        span_orthonormalise(&s->span, 0, INDEPENDENT);
-    return status;
+    const struct hobe_modes_info *info = &s->modes->info;
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; !status && i < info->count; i++)
+        status = span_add(&s->span, modes_shape(s->modes, i, NULL), err);
+    if (status)
+        return status;
+    span_orthonormalise(&s->span, 0, INDEPENDENT);
+    const long exact = s->span.n;
+    status = add_paths(s, err);
+    return status ? status : span_compress(&s->span, exact, s->options->modes - exact, err);
 }
 
 static enum hobe_status by_fields(struct source *s, struct hobe_error *err)
@@ -168,14 +178,9 @@ static int has_loads(const hobe_model *model)
 }
 
 /* The models whose loads are of interest; the others must be of the same shape. */
-static enum hobe_status open_source(struct source *s, hobe_model *full, struct hobe_error *err)
+static enum hobe_status open_loads(struct source *s, hobe_model *full, struct hobe_error *err)
 {
     const struct hobe_reduce *o = s->options;
-    const size_t room = (size_t)o->load_count + 1;
-    s->model = hobe_alloc(room, sizeof *s->model, err);
-    s->weight = hobe_alloc(room, sizeof *s->weight, err);
-    if (!s->model || !s->weight)
-        return HOBE_NO_MEMORY;
     enum hobe_status status = HOBE_OK;
     if (has_loads(full))
         s->model[s->count++] = full;
@@ -188,11 +193,108 @@ static enum hobe_status open_source(struct source *s, hobe_model *full, struct h
                              i + 1);
         s->model[s->count++] = o->loads[i];
     }
+    return status;
+}
+
+/* The factor of a mode that turns or shifts nothing by more than AMPLITUDE. */
+static double amplitude_of(const hobe_model *model, const double *shape)
+{
+    double most = 0;
+    for (size_t b = 0; b < model->beams.count; b++) {
+        const struct beam *beam = model_beam(model, b);
+        const struct hobe_kernel *k = beam->kernel;
+        for (int e = 0; e < beam->spec.elements; e++)
+            for (int v = 0; v < k->vectors; v++) {
+                const int mode = k->vector[v].mode, slope = k->vector[v].slope;
+                const double size = length3(shape + 3 * model_vector(model, beam, e, v));
+                if (mode == 0 || (mode <= 2 && !slope)) /* r in m; r_x, r_y and r_z in rad */
+                    most = fmax(most, mode == 0 && !slope ? size / beam->length : size);
+            }
+    }
+    return AMPLITUDE / most;
+}
+
+/* Forces of inertia M phi omega^2 s, which s phi answers to the first order. */
+static enum hobe_status open_inertia(struct source *s, int i, struct hobe_error *err)
+{
+    const hobe_model *model = s->span.model;
+    const double *shape = modes_shape(s->modes, i, NULL), none = 0;
+    struct mixture *to = s->inertia + i;
+    s->opened++;
+    const enum hobe_status status =
+        mixture_open(to, 1, (hobe_model *const[]){s->span.model}, &none, err);
+    if (!status)
+        mass_force(model, s->modes->mu[i] * amplitude_of(model, shape), shape, to->dead);
+    s->model[s->count++] = &to->model;
+    return status;
+}
+
+/* A quarter of the unknowns for modes, the rest for what they make of one another. */
+static enum hobe_status open_modes(struct source *s, struct hobe_error *err)
+{
+    const struct hobe_reduce *o = s->options;
+    struct hobe_modal_options options = {.modes = 1 + o->modes / 4};
+    enum hobe_status status = hobe_modal(s->span.model, NULL, &options, &s->modes, err);
+    if (status)
+        return status;
+    const size_t count = (size_t)s->modes->info.count;
+    s->inertia = hobe_alloc(count, sizeof *s->inertia, err);
+    if (!s->inertia)
+        return HOBE_NO_MEMORY;
+    for (int i = 0; !status && i < (int)count; i++)
+        if (s->modes->mu[i] > 0)
+            status = open_inertia(s, i, err);
+    return status;
+}
+
+static enum hobe_status open_source(struct source *s, hobe_model *full, struct hobe_error *err)
+{
+    const struct hobe_reduce *o = s->options;
+    const size_t room = (size_t)(1 + o->load_count + o->modes);
+    s->model = hobe_alloc(room, sizeof *s->model, err);
+    s->weight = hobe_alloc(room, sizeof *s->weight, err);
+    if (!s->model || !s->weight)
+        return HOBE_NO_MEMORY;
+    enum hobe_status status = open_loads(s, full, err);
     if (!status && o->method == HOBE_REDUCE_SERIES && s->count == 0)
+        status = hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                           "method \"series\" makes a basis of the paths under loads, and there "
+                           "are none; give some, or take method = \"modes\"");
+    if (!status)
+        status = span_open(&s->span, full, NULL, err);
+    return status || o->method != HOBE_REDUCE_MODES ? status : open_modes(s, err);
+}
+
+static void close_source(struct source *s)
+{
+    for (int i = 0; i < s->opened; i++)
+        mixture_close(s->inertia + i);
+    hobe_free(s->inertia);
+    hobe_modes_free(s->modes);
+    span_close(&s->span);
+    hobe_free(s->model);
+    hobe_free(s->weight);
+}
+
+/* The fields that a span has become. */
+static void take(struct span *span, struct basis *basis)
+{
+    *basis = (struct basis){span->n, span->room, span->field};
+    span->field = NULL;
+}
+
+static enum hobe_status check_closed(const struct hobe_reduce *o, struct hobe_error *err)
+{
+    if (o->closed != 0 && o->closed != 2 && o->closed != 3)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "method \"series\" makes a basis of the paths under loads, and there are "
-                         "none; give some, or take method = \"modes\"");
-    return status ? status : span_open(&s->span, full, NULL, err);
+                         "a basis is closed under rotations in a plane, 2, or in space, 3; got "
+                         "closed = %d",
+                         o->closed);
+    if (o->closed == 2 && !(length3(o->normal) > 0 && isfinite(length3(o->normal))))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a basis closed in a plane needs its normal, got {%g, %g, %g}",
+                         o->normal[0], o->normal[1], o->normal[2]);
+    return HOBE_OK;
 }
 
 enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
@@ -203,18 +305,36 @@ enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
     *basis = (struct basis){0};
     if (o.modes <= 0)
         o.modes = DEFAULT_MODES;
-    enum hobe_status status = hobe_model_build(full, err);
+    enum hobe_status status = check_closed(&o, err);
+    if (!status)
+        status = hobe_model_build(full, err);
     if (!status)
         status = open_source(&s, full, err);
     if (!status)
         status = make(&s, err);
+    if (!status && o.closed)
+        status = closure_add(&s.span, o.closed, o.normal, err);
+    if (!status)
+        take(&s.span, basis);
+    close_source(&s);
+    return status;
+}
+
+enum hobe_status basis_add(struct basis *basis, hobe_model *full, const double *field,
+                           struct hobe_error *err)
+{
+    struct span span;
+    enum hobe_status status = span_open(&span, full, NULL, err);
+    for (long i = 0; !status && i < basis->n; i++)
+        status = span_add(&span, basis->field + i * 3 * full->vectors, err);
+    if (!status)
+        status = span_add(&span, field, err);
     if (!status) {
-        *basis = (struct basis){s.span.n, s.span.room, s.span.field};
-        s.span.field = NULL;
+        span_orthonormalise(&span, basis->n, INDEPENDENT);
+        basis_free(basis);
+        take(&span, basis);
     }
-    span_close(&s.span);
-    hobe_free(s.model);
-    hobe_free(s.weight);
+    span_close(&span);
     return status;
 }
 

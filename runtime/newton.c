@@ -15,6 +15,7 @@
 #include "snapshot_modes.h"
 #include "solution.h"
 #include "spring.h"
+#include "trust.h"
 
 #include <float.h>
 #include <math.h>
@@ -564,7 +565,29 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
     s->info.seconds = hobe_seconds() - started;
     s->info.projected = s->space.count;
     s->info.outside = s->space.count > 0 ? whole_norm(s, s->r, 1) / s->load_norm : 0;
-    return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
+    hobe_solution *taken = solution_new(s->model, s->u, NULL, NULL, &s->info, err);
+    if (taken && s->model->reduction && trust_ask(s->model->reduction->whole, taken, err)) {
+        hobe_solution_free(taken);
+        return NULL;
+    }
+    return taken;
+}
+
+/* A reduced model keeps to the accuracy it was asked for, or says that it does not. */
+static enum hobe_status check_trust(const hobe_model *model, hobe_solution **solution,
+                                    struct hobe_error *err)
+{
+    const double accuracy = model->reduction ? model->reduction->of->info.accuracy : 0;
+    const double indicator = (*solution)->info.indicator;
+    if (!(accuracy > 0) || indicator <= accuracy)
+        return HOBE_OK;
+    hobe_solution_free(*solution);
+    *solution = NULL;
+    return hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
+                     "the reduced model may lack %.2g of the displacements under these loads, more "
+                     "than its accuracy %.2g; reduce the scene with these among its loads, or "
+                     "solve the whole one",
+                     indicator, accuracy);
 }
 
 /* The end of the path to the full load. */
@@ -622,6 +645,8 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
         *solution = solver_take(&s, started, err);
         status = *solution ? HOBE_OK : HOBE_NO_MEMORY;
     }
+    if (!status)
+        status = check_trust(model, solution, err);
     solver_close(&s);
     return status;
 }

@@ -112,7 +112,9 @@ enum hobe_status hobe_reduce(hobe_model *model, const struct hobe_reduce *option
     if (!r)
         return HOBE_NO_MEMORY;
     *r = (struct hobe_reduced){.model = model,
-                               .info = {.method = options->method, .closed = options->closed}};
+                               .info = {.method = options->method,
+                                        .closed = options->closed,
+                                        .accuracy = options->accuracy}};
     status = copy_centre(r, options->centre, err);
     if (!status)
         status = basis_make(model, options, &r->basis, err);

@@ -9,8 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double DIAGONAL = 1e-9; /* e */
-
 /* Principal fields are orthogonal; one that is none any more when its image is taken anew, is
  * nothing but what rounding has left. */
 static const double ROUNDED = 0.1;
@@ -51,14 +49,14 @@ void span_close(struct span *span)
     hobe_free(span->x);
 }
 
-/* y = (K + e diag K) x */
+/* y = (K + diag K) x */
 static void multiply(const struct span *span, const double *x, double *y)
 {
     const struct pattern *p = &span->model->pattern;
     memset(y, 0, (size_t)unknowns(span) * sizeof *y);
     for (long j = 0; j < unknowns(span); j++)
         for (long k = p->Ap[j]; k < p->Ap[j + 1]; k++)
-            y[p->Ai[k]] += (p->Ai[k] == j ? 1 + DIAGONAL : 1) * span->K.value[k] * x[j];
+            y[p->Ai[k]] += (p->Ai[k] == j ? 2 : 1) * span->K.value[k] * x[j];
 }
 
 static enum hobe_status grow(struct span *span, struct hobe_error *err)

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fields of displacements of a model's beams in the inner product of its stiffness,
+/* Fields of displacements of a model's beams in the inner product
  *
- *     (a, b) = a'(K + e diag K) b,     e = 1e-9,
+ *     (a, b) = a'(K + diag K) b,
  *
- * K the tangent at some state, as a rule the reference: so fields count by the energy they take,
- * and one that leaves out a stiff part is far from what it stands for.  The diagonal makes rigid
- * motions count, too, and keeps the product positive where it would be rounding. */
+ * K the tangent at some state, as a rule the reference.  By K fields count as the energy they take,
+ * and one that leaves out a stiff part is far from what it stands for; by its diagonal, the square
+ * of the norm |D^-1 a| of displacements (newton.h), as what they move, so that soft ones and rigid
+ * motions count, too. */
 #ifndef HOBE_SPAN_H
 #define HOBE_SPAN_H
 
@@ -16,7 +17,7 @@ struct span {
     struct matrix K;
     long n, room;  /* fields */
     double *field; /* [room][vectors][3] */
-    double *image; /* [room][unknowns] (K + e diag K) field */
+    double *image; /* [room][unknowns] (K + diag K) field */
     double *x;     /* [2][unknowns] */
 };
 
