@@ -438,13 +438,12 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 
 /* ---- a start from another solution ----------------------------------------------------------- */
 
-/* Whether the states of both models have the same unknowns. */
-static int same_shape(const hobe_model *a, const hobe_solution *start)
+/* Whether the start is a state of the model or of one with the same unknowns. */
+static int fits(const hobe_model *model, const hobe_solution *start)
 {
-    const hobe_model *b = start->model;
-    if (a->reduction)
-        return start->reduced == a->reduction->of && start->coordinates == a->vectors;
-    return model_same_shape(a, b);
+    const struct reduction *reduction = model->reduction;
+    return reduction ? start->reduced == reduction->of && start->coordinates == model->vectors
+                     : model_same_shape(model, start->model);
 }
 
 /* Newton at the full load from the start that is given, in one step; FAILED leaves the reference.
@@ -453,7 +452,7 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
 {
     const hobe_solution *start = s->options.start;
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
-    if (!same_shape(s->model, start)) {
+    if (!fits(s->model, start)) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL,
                   "start must be a result of this scene or of one of the same shape (the same "
                   "elements, joins and supports in the same order): it has %ld unknowns, here are "
@@ -560,6 +559,9 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
     s->info.indicator = model->reduction ? NAN : 0;
     set_defaults(&s->options);
     s->motion.instant.time = s->info.time = options->time;
+    if (options->projection && model->reduction)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a projection is for whole scenes, not for reduced models");
     const enum hobe_status status = allocate(s, err);
     if (status)
         return status;
