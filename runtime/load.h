@@ -5,6 +5,31 @@
 
 #include "model.h"
 
+/* What a force or moment acts on: a body or, NULL, a place of a beam; whose beam is NULL otherwise.
+ */
+struct target {
+    const struct body *body;
+    struct place place;
+};
+struct force {
+    struct hobe_force spec;
+    struct target on; /* as load_build finds it, also of moments */
+};
+struct moment {
+    struct hobe_moment spec;
+    struct target on;
+};
+
+static inline struct force *model_force(const struct hobe_model *model, size_t i)
+{
+    return (struct force *)model->forces.item + i;
+}
+
+static inline struct moment *model_moment(const struct hobe_model *model, size_t i)
+{
+    return (struct moment *)model->moments.item + i;
+}
+
 /* Resolves the loads' beams and sums what does not depend on the state into model->dead. */
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err);
 
