@@ -5,6 +5,7 @@
 #include "drive.h"
 
 #include "load.h"
+#include "reduction.h"
 #include "section.h"
 
 #include <math.h>
@@ -291,6 +292,7 @@ void hobe_drive_free(hobe_drive *drive)
 
 const struct hobe_joint *drive_joint(const struct hobe_model *model)
 {
+    model = model_whole(model);
     const struct hobe_joint *joint = model->joints.item;
     for (size_t i = 0; i < model->joints.count; i++)
         if (joint[i].angle || joint[i].position)
@@ -298,15 +300,31 @@ const struct hobe_joint *drive_joint(const struct hobe_model *model)
     return NULL;
 }
 
+/* The first orders of the factor and its derivatives. */
+static void find_factor(const struct hobe_model *model, hobe_drive *history, double t,
+                        const char *where, int orders, double d[3])
+{
+    struct hobe_error err;
+    if (!history || !evaluate(history, t, orders, d, &err))
+        return;
+    model_fail(model, where, &err);
+    d[0] = d[1] = NAN;
+}
+
 double drive_factor(const struct hobe_model *model, hobe_drive *history, double t,
                     const char *where)
 {
-    struct hobe_error err;
     double d[3] = {1};
-    if (!history || !evaluate(history, t, 1, d, &err))
-        return d[0];
-    model_fail(model, where, &err);
-    return NAN;
+    find_factor(model, history, t, where, 1, d);
+    return d[0];
+}
+
+void drive_history(const struct hobe_model *model, hobe_drive *history, double t, const char *where,
+                   double d[2])
+{
+    double all[3] = {1};
+    find_factor(model, history, t, where, 2, all);
+    memcpy(d, all, 2 * sizeof *d);
 }
 
 /* *next is not after the next point of a drive, which may be NULL. */
@@ -318,6 +336,7 @@ static void stop_at(const hobe_drive *drive, double t, double *next)
 
 double drive_next(const struct hobe_model *model, double t)
 {
+    model = model_whole(model);
     const struct hobe_joint *joint = model->joints.item;
     const struct gravity *gravity = model->gravities.item;
     double next = INFINITY;
@@ -331,5 +350,6 @@ double drive_next(const struct hobe_model *model, double t)
         stop_at(model_moment(model, i)->spec.history, t, &next);
     for (size_t i = 0; i < model->gravities.count; i++)
         stop_at(gravity[i].history, t, &next);
+    stop_at(model->spin.history, t, &next);
     return next;
 }

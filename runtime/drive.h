@@ -16,6 +16,10 @@ const struct hobe_joint *drive_joint(const struct hobe_model *model);
 double drive_factor(const struct hobe_model *model, hobe_drive *history, double t,
                     const char *where);
 
+/* d[2] = that factor and its derivative, 1/s. */
+void drive_history(const struct hobe_model *model, hobe_drive *history, double t, const char *where,
+                   double d[2]);
+
 /* The next time after t at which a drive or a history of the model breaks (hobe_drive_next). */
 double drive_next(const struct hobe_model *model, double t);
 

@@ -46,6 +46,13 @@ size_t hobe_element_scratch(const struct hobe_kernel *kernel);
 /* Whether that is by its tensor: of force alone, or of force and tangent. */
 int hobe_element_by_tensor(const hobe_element *element, int tangent);
 
+/* Of the element's section, which does not vary: EA, N, and EI,
+ * N m^2. */
+struct stiffnesses {
+    double EA, EIyy, EIzz, EIyz;
+};
+void hobe_element_stiffnesses(const hobe_element *element, struct stiffnesses *stiffnesses);
+
 /* The elastic law per length that the element was made with, owned by it. */
 const struct hobe_law *hobe_element_law(const hobe_element *element);
 

@@ -7,6 +7,7 @@
 #include "element.h"
 #include "mass.h"
 #include "point_mass.h"
+#include "reduction.h"
 #include "spin.h"
 #include "taylor.h"
 #include "vector3.h"
@@ -390,6 +391,10 @@ static void add_weight(const struct hobe_model *model, const struct beam *beam, 
 /* The same of all elements, bodies and masses. */
 static void add_weights(const struct hobe_model *model, const double g[3], double factor, double *f)
 {
+    if (model->reduction) {
+        reduction_weights(model, g, factor, f);
+        return;
+    }
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             add_weight(model, model_beam(model, i), e, g, factor, f);
@@ -414,12 +419,22 @@ static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_erro
 enum hobe_status load_at(const struct hobe_model *model, const char *beam, double at,
                          const double F[3], const char *where, double *r, struct hobe_error *err)
 {
-    const struct beam *on = model_find_beam(model, beam, where, err);
+    const hobe_model *whole = model_whole(model);
+    const struct beam *on = model_find_beam(whole, beam, where, err);
     struct station s;
     if (!on)
         return HOBE_UNKNOWN;
-    find_on_beam(model, model_place(on, at), NULL, &s);
-    add_force(model, &s, 0, F, 1, r);
+    find_on_beam(whole, model_place(on, at), NULL, &s);
+    if (whole == model) {
+        add_force(model, &s, 0, F, 1, r);
+        return HOBE_OK;
+    }
+    double *field = hobe_alloc((size_t)(3 * whole->vectors), sizeof *field, err);
+    if (!field)
+        return HOBE_NO_MEMORY;
+    add_force(whole, &s, 0, F, 1, field);
+    reduction_project(model, 1, field, r);
+    hobe_free(field);
     return HOBE_OK;
 }
 
@@ -441,6 +456,7 @@ static enum hobe_status find_target(const struct hobe_model *model, const char *
 
 const struct hobe_force *load_follower(const struct hobe_model *model)
 {
+    model = model_whole(model);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = &model_force(model, i)->spec;
         if (force->follower || force->function)
@@ -449,47 +465,75 @@ const struct hobe_force *load_follower(const struct hobe_model *model)
     return NULL;
 }
 
+static void touch(const struct hobe_model *model, const struct station *s, int from, int to,
+                  unsigned char *touched)
+{
+    for (int of = from; of <= to; of++)
+        for (int v = 0; v < s->vectors; v++)
+            if (s->weight[of][v] != 0)
+                touched[station_vector(model, s, v)] = 1;
+}
+
 /* Whether the force is the same in any state at any time, and so part of model->dead. */
 static int is_constant(const struct hobe_force *force)
 {
     return !force->follower && !force->function && !force->history;
 }
 
-enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
+void load_touch(const struct hobe_model *model, int changing, unsigned char *touched)
+{
+    struct station s;
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct force *force = model_force(model, i);
+        const struct hobe_force *spec = &force->spec;
+        if (changing && is_constant(spec))
+            continue;
+        find_station(model, &force->on, force_point(force), NULL, &s);
+        touch(model, &s, 0, spec->follower || spec->function ? 2 : 0, touched);
+    }
+    for (size_t i = 0; i < model->moments.count; i++) {
+        find_station(model, &model_moment(model, i)->on, NULL, NULL, &s);
+        touch(model, &s, 1, 2, touched);
+    }
+}
+
+enum hobe_status load_find(struct hobe_model *model, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_OK;
     for (size_t i = 0; !status && i < model->forces.count; i++) {
-        struct force *force = model_force(model, i);
-        const struct hobe_force *spec = &force->spec;
-        struct station s;
-        status =
-            find_target(model, spec->beam, spec->at, spec->at_point, spec->where, &force->on, err);
-        if (status || !is_constant(spec))
-            continue;
-        find_station(model, &force->on, force_point(force), NULL, &s);
-        add_force(model, &s, 0, spec->value, 1, model->dead);
+        const struct hobe_force *spec = &model_force(model, i)->spec;
+        status = find_target(model, spec->beam, spec->at, spec->at_point, spec->where,
+                             &model_force(model, i)->on, err);
     }
     for (size_t i = 0; !status && i < model->moments.count; i++) {
         const struct hobe_moment *spec = &model_moment(model, i)->spec;
         status = find_target(model, spec->beam, spec->at, spec->at_point, spec->where,
                              &model_moment(model, i)->on, err);
     }
+    return status;
+}
+
+enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
+{
+    enum hobe_status status = load_find(model, err);
+    for (size_t i = 0; !status && i < model->forces.count; i++) {
+        const struct force *force = model_force(model, i);
+        struct station s;
+        if (!is_constant(&force->spec))
+            continue;
+        find_station(model, &force->on, force_point(force), NULL, &s);
+        add_force(model, &s, 0, force->spec.value, 1, model->dead);
+    }
     if (!status)
         status = build_gravity(model, err);
     return status ? status : spin_build(model, err);
 }
 
-void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
-                   double factor, double *r, const struct matrix *K)
+/* Those at places: forces that are not constant, and moments. */
+static void subtract_placed(const struct hobe_model *model, const double *u,
+                            const struct instant *instant, double factor, double *r,
+                            const struct matrix *K)
 {
-    double g[3];
-    if (factor == 0) /* functions that fail would make it NaN */
-        return;
-    for (long i = 0; i < 3 * model->vectors; i++)
-        r[i] -= factor * model->dead[i];
-    changing_gravity(model, instant, g);
-    if (model->gravities.count > 0)
-        add_weights(model, g, -factor, r);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct force *force = model_force(model, i);
         if (!is_constant(&force->spec))
@@ -497,6 +541,22 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
     }
     for (size_t i = 0; i < model->moments.count; i++)
         subtract_moment(model, model_moment(model, i), u, instant, factor, r, K);
+}
+
+void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
+                   double factor, double *r, const struct matrix *K)
+{
+    const hobe_model *whole = model_whole(model);
+    double g[3];
+    if (factor == 0) /* functions that fail would make it NaN */
+        return;
+    for (long i = 0; i < 3 * model->vectors; i++)
+        r[i] -= factor * model->dead[i];
+    changing_gravity(whole, instant, g);
+    if (whole->gravities.count > 0)
+        add_weights(model, g, -factor, r);
+    if (whole->forces.count + whole->moments.count > 0)
+        reduction_act(model, subtract_placed, u, instant, factor, r, K);
     spin_subtract(model, u, instant, factor, r, K);
 }
 

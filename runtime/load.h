@@ -13,7 +13,7 @@ struct target {
 };
 struct force {
     struct hobe_force spec;
-    struct target on; /* as load_build finds it, also of moments */
+    struct target on; /* as load_find finds it, also of moments */
 };
 struct moment {
     struct hobe_moment spec;
@@ -30,7 +30,10 @@ static inline struct moment *model_moment(const struct hobe_model *model, size_t
     return (struct moment *)model->moments.item + i;
 }
 
-/* Resolves the loads' beams and sums what does not depend on the state into model->dead. */
+/* Finds what forces and moments act on, in this model. */
+enum hobe_status load_find(struct hobe_model *model, struct hobe_error *err);
+
+/* The same, and sums what does not depend on the state into model->dead. */
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err);
 
 /* r -= factor * Q, and K -= factor * (dQ/du + rate dQ/dv) when K is not NULL: Q the forces of all
@@ -50,6 +53,12 @@ void load_series(const struct hobe_model *model, const double *const *u,
  * the model. */
 void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
                  double factor, const struct beam *beam, int e, double *f);
+
+/* touched[vectors] = 1 at the vectors that forces and moments at places act on; of those alone
+ * whose force or stiffness changes with the state or in time where `changing`.  Not of weights and
+ * spins.
+ */
+void load_touch(const struct hobe_model *model, int changing, unsigned char *touched);
 
 /* Adds the force F, N, at a place of a beam to the forces on the vectors, r[vectors][3].
  * HOBE_UNKNOWN with `where` for a beam that is not there. */

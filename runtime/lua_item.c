@@ -584,6 +584,7 @@ static const struct hobe_lua_key spin_keys[] = {
         .doc = "a point of that line, {0, 0, 0} where left out"),
     KEY(struct hobe_spin, speed, KEY_NUMBER, REQUIRED, .unit = "rad/s",
         .doc = "angular velocity, by the right-hand rule about the axis"),
+    HISTORY_KEY,
     {0}};
 
 static const struct hobe_lua_schema force_schema = {"force", force_keys};
@@ -672,6 +673,7 @@ static int spin(lua_State *L)
     hobe_lua_read(L, 1, &spin_schema, &read);
     struct hobe_spin *s = &hobe_lua_push_item(L, ITEM_SPIN, &read, sizeof read)->as.spin;
     s->where = hobe_lua_keep(L, WHERE);
+    s->history = keep_drive(L, &spin_schema, "history", 0, DRIVE);
     return 1;
 }
 
@@ -748,11 +750,13 @@ const struct hobe_lua_entry hobe_lua_item_entries[] = {
     {"gravity", gravity, "hobe.gravity{0, 0, -9.81}",
      "Gravity on every beam, body and mass of the scene; several add up.", &gravity_schema, NULL},
     {"spin", spin, "hobe.spin{axis = {0, 0, 1}, speed =}",
-     "The scene as seen in a frame that turns steadily with all its supports: its equilibrium "
+     "The scene as seen in a frame that turns with all its supports: its equilibrium "
      "bears the centrifugal force w^2 M P q, P the projection across the axis, which moves with "
      "what it acts on.  Forces keep their direction in the turning frame.  The load factor of "
      "statics and paths scales w^2.  Vibration about such an equilibrium and motion feel Coriolis' "
-     "force, too; velocities are those in the turning frame.  Critical speeds of a shaft are w "
+     "force, too, and motion Euler's where the speed changes by its history, from which equilibria "
+     "take the speed alone; velocities are those in the turning frame.  Critical speeds of a shaft "
+     "are w "
      "sqrt(factor) of `hobe.buckling`.",
      &spin_schema, NULL},
     {"motion", motion, "hobe.motion{[\"beam\",] velocity =, angular_velocity =, about =}",

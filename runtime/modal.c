@@ -82,13 +82,14 @@ static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, ho
                               struct hobe_error *err)
 {
     const double load = s->state ? s->state->info.load : 0;
+    const double time = s->state ? s->state->info.time : 0;
     double w[3] = {0};
     int unstable = 0;
     enum hobe_status status = mass_check(s->model, "vibration", NULL, err);
     if (!status)
         status = pencil_open(s, "modal analysis about a loaded state", err);
     if (!status)
-        status = spin_velocity(s->model, load, w, err);
+        status = spin_velocity(s->model, load, time, w, err);
     if (!status)
         status = pencil_choose(s, o, err);
     if (status)
@@ -101,9 +102,8 @@ static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, ho
                          : take(s, o, unstable, modes, err);
     if (status)
         return status;
-    mass_translation(s->model, 0, s->r);
-    (*modes)->info.mass = mass_product(s->model, s->r, s->r);
-    return HOBE_OK;
+    double size;
+    return mass_measure(s->model, &(*modes)->info.mass, &size, err);
 }
 
 enum hobe_status hobe_modal(hobe_model *model, const hobe_solution *state,

@@ -406,7 +406,8 @@ static void critical_speed(void)
 /* ---- motion ---------------------------------------------------------------------------------- */
 
 /* What is at rest in space circles backwards in the turning frame, unstrained: how far from there
- * the end of a rod that nothing holds is after `steps` steps of one second in all, m. */
+ * the end of a rod that nothing holds is after `steps` steps of one second in all, m.  A history
+ * must have the mean 1 in that second. */
 static double drift(const struct hobe_spin *spin, int steps)
 {
     hobe_section *section = rectangle(0.05, 0.1);
@@ -416,13 +417,15 @@ static double drift(const struct hobe_spin *spin, int steps)
     struct hobe_motion motion = {0};
     struct hobe_error err;
     hobe_history *history;
-    double arm0[3], e[3], across[3], expected[3];
+    double arm0[3], e[3], across[3], expected[3], first[3] = {1};
     const double length = length3(spin->axis), c = cos(spin->speed), s = -sin(spin->speed);
     add_beam(model, &beam);
     add_spin(model, spin);
+    if (spin->history && hobe_drive_at(spin->history, 0, first, &err))
+        check_stop("%s", err.message);
     for (int a = 0; a < 3; a++) {
         e[a] = spin->axis[a] / length;
-        motion.angular_velocity[a] = -spin->speed * e[a];
+        motion.angular_velocity[a] = -spin->speed * first[0] * e[a];
         motion.about[a] = spin->about[a];
         arm0[a] = (a == 0) - spin->about[a];
     }
@@ -453,6 +456,23 @@ static void seen_from_the_frame(void)
     check_absolute(fine, 0, 1e-3, "at rest in space");
 }
 
+/* The same in a frame that turns ever faster, with Euler's force. */
+static void seen_from_a_frame_that_speeds_up(void)
+{
+    struct hobe_spin spin = random_spin(0);
+    struct hobe_error err;
+    const double rise = random_real(-0.5, 0.5);
+    const double point[2][2] = {{0, 1 - rise}, {1, 1 + rise}};
+    spin.speed = random_real(1, 1.5);
+    spin.history = hobe_drive_points(2, point, HOBE_LINEAR, 0, &err);
+    if (!spin.history)
+        check_stop("%s", err.message);
+    const double coarse = drift(&spin, 50), fine = drift(&spin, 100);
+    check_relative(coarse / fine, 4, 0.1, "from %.3g m to %.3g m off", coarse, fine);
+    check_absolute(fine, 0, 2e-3, "at rest in space");
+    hobe_drive_free(spin.history);
+}
+
 /* ---- what is refused ------------------------------------------------------------------------- */
 
 static void refused(const struct hobe_spin *spin, int times, const char *words)
@@ -475,9 +495,14 @@ static void errors(void)
     refused(&(struct hobe_spin){.axis = {NAN, 0, 1}, .speed = 1}, 1, "must be a direction");
     refused(&(struct hobe_spin){.axis = {0, 0, 1}, .speed = INFINITY}, 1, "must be finite");
     refused(&(struct hobe_spin){.axis = {0, 0, 1}, .speed = 1}, 2, "there is another one");
+    struct hobe_error err;
+    const double jump[3][2] = {{0, 0}, {1, 0}, {1, 1}};
+    hobe_drive *history = hobe_drive_points(3, jump, HOBE_LINEAR, 0, &err);
+    refused(&(struct hobe_spin){.axis = {0, 0, 1}, .speed = 1, .history = history}, 1,
+            "cannot jump, at t = 1 s");
+    hobe_drive_free(history);
     hobe_section *section = rectangle(0.1, 0.1);
     struct hobe_beam beam = arm("beam", section, 1);
-    struct hobe_error err;
     beam.material.rho = 0;
     hobe_model *model = cantilever(&beam, 0);
     add_spin(model, &(struct hobe_spin){.axis = {0, 0, 1}, .speed = 1});
@@ -501,6 +526,7 @@ int main(void)
     flat_shaft();
     critical_speed();
     seen_from_the_frame();
+    seen_from_a_frame_that_speeds_up();
     errors();
     return check_report();
 }
