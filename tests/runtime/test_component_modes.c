@@ -240,6 +240,9 @@ static void test_all_modes(const hobe_section *section)
                info_of(few).linearisations);
     check_that(info_of(few).outside > 1e-3, "few modes leave a residual, %g", info_of(few).outside);
     check_that(info_of(few).residual < 1e-11, "but not along them, %g", info_of(few).residual);
+    check_absolute(info_of(all).indicator, 0, 1e-9, "the indicator of all modes");
+    check_that(info_of(few).indicator > apart(few, full, "beam"), "that of few: %g",
+               info_of(few).indicator);
     const struct hobe_point a = point_of(few, "beam", 1, 0, 0), b = point_of(full, "beam", 1, 0, 0);
     check_that(norm(a.u) < norm(b.u), "they are stiffer: %g, %g m", norm(a.u), norm(b.u));
     hobe_solution_free(full);
