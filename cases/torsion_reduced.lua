@@ -52,8 +52,8 @@ local report, rows, lines = {}, {}, {}
 local function note(beam, line, how, unknowns, r)
   local error = r:twist("bar", 1)/beam.full - 1
   rows[#rows + 1] = { beam.name, how, unknowns, r:twist("bar", 1), 100*error, r.outside,
-                      r.indicator }
-  if line and math.abs(error) > 1e-12 then
+                      r.indicator < math.huge and r.indicator or "infinite" }
+  if line and math.abs(error) > 1e-12 then            -- above rounding
     line.x[#line.x + 1], line.y[#line.y + 1] = unknowns, math.log(math.abs(error), 10)
   end
   return error
@@ -82,7 +82,7 @@ for _, beam in ipairs(beams) do
     end
   end
   local series = { x = {}, y = {}, label = beam.name .. ", path's series" }
-  for count = 1, 6 do
+  for count = 3, 6 do
     local reduced = hobe.reduce(scene, { modes = count })
     local r = hobe.static(reduced, { steps = 8 })
     local error = note(beam, series, "path's series", reduced.unknowns, r)
