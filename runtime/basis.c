@@ -19,10 +19,9 @@
 
 #include <math.h>
 
-enum { DEFAULT_MODES = 12, PARTS = 3 /* of a right angle between two loads */ };
+enum { DEFAULT_MODES = 12, MOST_MODES = 60, PARTS = 3 /* of a right angle between two loads */ };
 
-static const double AMPLITUDE = 0.1;    /* of modes whose paths are followed: rad, or the length */
-static const double INDEPENDENT = 1e-5; /* share of a field that must be new */
+static const double AMPLITUDE = 0.1; /* of modes whose paths are followed: rad, or the length */
 
 /* What a basis is made of: directions of load, and the fields so far. */
 struct source {
@@ -118,12 +117,18 @@ static enum hobe_status add_paths(struct source *s, struct hobe_error *err)
     return status;
 }
 
+/* What principal fields may leave of the states: a tenth of what displacements may lack. */
+static double share_of(const struct source *s)
+{
+    return s->options->accuracy / 10;
+}
+
 /* ---- the methods ----------------------------------------------------------------------------- */
 
 static enum hobe_status by_series(struct source *s, struct hobe_error *err)
 {
     const enum hobe_status status = add_paths(s, err);
-    return status ? status : span_compress(&s->span, 0, s->options->modes, err);
+    return status ? status : span_compress(&s->span, 0, s->options->modes, share_of(s), err);
 }
 
 /* The modes themselves, so that small vibrations are exact; then what they and the loads make of
@@ -136,10 +141,11 @@ static enum hobe_status by_modes(struct source *s, struct hobe_error *err)
         status = span_add(&s->span, modes_shape(s->modes, i, NULL), err);
     if (status)
         return status;
-    span_orthonormalise(&s->span, 0, INDEPENDENT);
+    span_orthonormalise(&s->span, 0);
     const long exact = s->span.n;
     status = add_paths(s, err);
-    return status ? status : span_compress(&s->span, exact, s->options->modes - exact, err);
+    return status ? status
+                  : span_compress(&s->span, exact, s->options->modes - exact, share_of(s), err);
 }
 
 static enum hobe_status by_fields(struct source *s, struct hobe_error *err)
@@ -149,7 +155,7 @@ static enum hobe_status by_fields(struct source *s, struct hobe_error *err)
     for (int i = 0; !status && i < s->options->fields; i++)
         status = span_add(&s->span, s->options->field + i * size, err);
     if (!status)
-        span_orthonormalise(&s->span, 0, INDEPENDENT);
+        span_orthonormalise(&s->span, 0);
     return status;
 }
 
@@ -304,7 +310,7 @@ enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
     struct source s = {.options = &o};
     *basis = (struct basis){0};
     if (o.modes <= 0)
-        o.modes = DEFAULT_MODES;
+        o.modes = o.accuracy > 0 ? MOST_MODES : DEFAULT_MODES;
     enum hobe_status status = check_closed(&o, err);
     if (!status)
         status = hobe_model_build(full, err);
@@ -320,8 +326,8 @@ enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
     return status;
 }
 
-enum hobe_status basis_add(struct basis *basis, hobe_model *full, const double *field,
-                           struct hobe_error *err)
+enum hobe_status basis_add(struct basis *basis, hobe_model *full, const struct hobe_reduce *options,
+                           const double *field, struct hobe_error *err)
 {
     struct span span;
     enum hobe_status status = span_open(&span, full, NULL, err);
@@ -329,8 +335,11 @@ enum hobe_status basis_add(struct basis *basis, hobe_model *full, const double *
         status = span_add(&span, basis->field + i * 3 * full->vectors, err);
     if (!status)
         status = span_add(&span, field, err);
+    if (!status)
+        span_orthonormalise(&span, basis->n);
+    if (!status && options->closed && span.n > basis->n)
+        status = closure_add(&span, options->closed, options->normal, err);
     if (!status) {
-        span_orthonormalise(&span, basis->n, INDEPENDENT);
         basis_free(basis);
         take(&span, basis);
     }

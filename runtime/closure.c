@@ -6,8 +6,6 @@
 
 #include <string.h>
 
-static const double INDEPENDENT = 1e-5; /* share of an image that must be new */
-
 enum { MOST_MAPS = 9 };
 
 /* The maps, [count][3][3]: e_b e_a' in space; P and [n]x in a plane. */
@@ -83,6 +81,6 @@ enum hobe_status closure_add(struct span *span, int closed, const double normal[
     }
     hobe_free(image);
     if (!status)
-        span_orthonormalise(span, given, INDEPENDENT);
+        span_orthonormalise(span, given);
     return status;
 }

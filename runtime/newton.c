@@ -246,6 +246,16 @@ static void search_line(struct solver *s, double factor)
     s->now.line = taken;
 }
 
+/* What rounding may leave of the residual; of a reduced one the energy's large terms that cancel
+ * round more than the state. */
+static double round_off(struct solver *s)
+{
+    if (!s->model->reduction)
+        return ROUND_OFF * solver_norm(s, s->u, -1);
+    reduction_round_off(s->model, s->u, s->step); /* which the next tangent sets anew */
+    return solver_norm(s, s->step, 1);
+}
+
 enum outcome solver_judge(struct solver *s, double norm, double last_norm)
 {
     s->now.residual = s->info.residual = norm / s->load_norm;
@@ -257,7 +267,7 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
         solver_log(s, "diverged");
         return FAILED;
     }
-    if (norm > 0.5 * last_norm && norm <= ROUND_OFF * solver_norm(s, s->u, -1)) {
+    if (norm > 0.5 * last_norm && norm <= round_off(s)) {
         solver_log(s, "converged to round-off");
         return CONVERGED;
     }

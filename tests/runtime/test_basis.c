@@ -270,6 +270,47 @@ static double ratio_of(const hobe_reduced *reduced, hobe_model *model)
     return indicator / error;
 }
 
+/* So many unknowns as an accuracy needs; and what is asked of it besides is refused. */
+static void accurate(void)
+{
+    struct hobe_error err;
+    hobe_solution *solution;
+    int before = 0;
+    hobe_section *section = rectangle(0.1, 0.06);
+    const struct hobe_beam beam = beam_along_x("MGD30w", 6, section, 1e9, 0.3, 2);
+    const double force = 2 * 1e9 * properties_of(section).Iyy / 4;
+    hobe_model *model = cantilever(&beam, 0), *across = cantilever(&beam, 0);
+    add_force(model, "beam", 1, 0, 0, force);
+    add_force(across, "beam", 1, 0, force, 0);
+    for (double accuracy = 1e-2; accuracy > 1e-5; accuracy /= 30) {
+        hobe_reduced *reduced = reduce(model, &(struct hobe_reduce){.accuracy = accuracy});
+        hobe_model *small = small_of(reduced, model), *other = small_of(reduced, across);
+        hobe_solution *whole = solve(model, 1), *is = solve_by(small, HOBE_METHOD_NEWTON, 1);
+        check_absolute(apart(whole, is), 0, accuracy, "accuracy %g", accuracy);
+        check_that(info_of(is).indicator <= accuracy, "indicator %g for accuracy %g",
+                   info_of(is).indicator, accuracy);
+        check_that(unknowns_of(reduced) > before, "accuracy %g takes more than %d unknowns",
+                   accuracy, before);
+        before = unknowns_of(reduced);
+        const enum hobe_status status =
+            hobe_static(other, &(struct hobe_newton){0}, &solution, &err);
+        check_that(status == HOBE_NOT_CONVERGED, "what it was not made for is refused: %s",
+                   status ? err.message : "no error");
+        hobe_solution_free(whole);
+        hobe_solution_free(is);
+        hobe_model_free(other);
+        hobe_model_free(small);
+        hobe_reduced_free(reduced);
+    }
+    hobe_reduced *none;
+    const struct hobe_reduce few = {.accuracy = 1e-6, .modes = 2};
+    check_that(hobe_reduce(model, &few, &none, &err) == HOBE_NOT_CONVERGED && !none,
+               "two unknowns are not that accurate");
+    hobe_model_free(across);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
 static int ascending(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
@@ -346,11 +387,11 @@ static void closed(int of, const double normal[3])
         for (long i = 0; i < size; i++)
             u[i] += 0.1 * basis.field[j * size + i];
     turn(model, normal, u);
-    expect_ok(basis_add(&basis, model, u, &err), &err);
+    expect_ok(basis_add(&basis, model, &options, u, &err), &err);
     check_that(basis.n == n, "closed = %d: a turned state is among the %ld fields", of, n);
     u[3 * (model->beam_vectors / 2)] += 1;
-    expect_ok(basis_add(&basis, model, u, &err), &err);
-    check_that(basis.n == n + 1, "closed = %d: and another one is not", of);
+    expect_ok(basis_add(&basis, model, &options, u, &err), &err);
+    check_that(basis.n > n, "closed = %d: and another one is not", of);
     free(u);
     basis_free(&basis);
     hobe_model_free(model);
@@ -392,6 +433,7 @@ int main(void)
     angles();
     spin();
     indicator();
+    accurate();
     closed(3, NULL);
     closed(2, (const double[]){0, 1, 0});
     refusals();
