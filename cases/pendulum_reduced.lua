@@ -1,9 +1,10 @@
 -- An elastic pendulum swings from the horizontal through 180 degrees, by few unknowns.
 --
--- A bar, L 1 m, 40 x 40 mm, E 1 GPa, 7850 kg/m^3, on a hinge: which would sag by 7 % of its
--- length if it were held, is let go, and trembles on.  The fields of the path's series of the bar that is held level and
--- upright under its weight, closed under rotations in the plane of the swing (hobe.reduce), turn
--- exactly, so that what is reduced is the deformation alone, and need no frame that moves along.
+-- A bar, L 1 m, 40 x 40 mm, E 1 GPa, 7850 kg/m^3, on a hinge, which would sag by 7 % of its
+-- length if it were held level, is let go, and trembles as it falls. The fields of the path's
+-- series of the bar that is held level and upright under its weight, closed under rotations in
+-- the plane of the swing (hobe.reduce), turn exactly, so that what is reduced is the
+-- deformation alone, and need no frame that moves along.
 -- Component modes of the present tangent (Tang, Tian & Hu 2022 after Craig & Bampton) do not turn:
 -- to them the turn of a section is a stretch, and the bar stands still, on modes that are found
 -- again whenever it has moved by 0.03 rad.  All of them are the full model, but for accelerations

@@ -54,7 +54,7 @@ local function note(beam, line, how, unknowns, r)
   rows[#rows + 1] = { beam.name, how, unknowns, r:twist("bar", 1), 100*error, r.outside,
                       r.indicator < math.huge and r.indicator or "infinite" }
   if line and math.abs(error) > 1e-12 then            -- above rounding
-    line.x[#line.x + 1], line.y[#line.y + 1] = unknowns, math.log(math.abs(error), 10)
+    line.x[#line.x + 1], line.y[#line.y + 1] = unknowns, math.abs(error)
   end
   return error
 end
@@ -98,7 +98,7 @@ hobe.table{
 }
 hobe.plot{
   file = "torsion_reduced.png", title = "Torsion to 2 rad: unknowns and error",
-  xlabel = "unknowns", ylabel = "log10 of the error of the twist", series = lines,
+  xlabel = "unknowns", ylabel = "relative error of the twist", ylog = true, series = lines,
 }
 
 -- ---- load steps --------------------------------------------------------------------------------
