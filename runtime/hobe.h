@@ -741,9 +741,10 @@ struct hobe_solution_info {
     double outside;     /* residual of the full model, most of which a projection does not see */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
-    double indicator;    /* of a reduced model: what its displacements may lack of those of the
-                            whole one, relative to their size; 0 of whole models; NaN: not asked */
-    double seconds;      /* in the verb so far, without set-up */
+    double indicator; /* of a reduced model and of a projection: what its displacements may lack of
+                         those of the whole one, relative to their size; 0 of whole models; NaN: not
+                         asked */
+    double seconds;   /* in the verb so far, without set-up */
 };
 
 /* Static equilibrium under all loads of the model from its reference or options.start; by series
@@ -1213,11 +1214,11 @@ struct hobe_reduce {
 
 struct hobe_reduced_info {
     enum hobe_reduce_method method;
-    int unknowns;   /* q */
-    int closed;     /* as in hobe_reduce */
-    long whole;     /* unknowns of the model */
+    int unknowns;    /* q */
+    int closed;      /* as in hobe_reduce */
+    long whole;      /* unknowns of the model */
     double accuracy; /* that was asked for, or 0 */
-    double seconds; /* offline: basis and energy; of one that was read, to read it */
+    double seconds;  /* offline: basis and energy; of one that was read, to read it */
 };
 
 /* Makes the basis and the energy on it.  HOBE_BAD_INPUT for elements whose energy is not quartic,

@@ -104,7 +104,8 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
     SOLVED("indicator", solution.indicator, 'd', NULL,
-           "of a reduced model: what the displacements may lack of those of the whole scene, "
+           "of a reduced model and of a projection: what the displacements may lack of those of "
+           "the whole scene, "
            "relative to their size; 0 of whole ones; not a number where it was not asked"),
     SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),

@@ -11,6 +11,10 @@ enum { MOST = 5 }; /* corrections until the theorem speaks */
 
 static const double SAFETY = 2;
 
+/* Corrections below this share of the state are rounding, which a second one does not make
+ * smaller; what their square adds is not worth a thought. */
+static const double ROUND_OFF = 1e-8;
+
 static size_t size_of(const struct trust *trust)
 {
     return (size_t)(3 * trust->s.model->vectors);
@@ -85,7 +89,7 @@ static enum hobe_status advance(struct trust *trust, double load, enum tangent t
         return status;
     const double first = *rest = norm_of(trust, s->x);
     solver_move(s, s->x, 1);
-    if (s->motion.force || first == 0)
+    if (s->motion.force || first <= ROUND_OFF * trust_norm(trust, s->u))
         return HOBE_OK;
     status = correct(trust, load, NO_TANGENT, err);
     if (!status)
