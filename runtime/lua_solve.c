@@ -601,7 +601,8 @@ static int solve_static(lua_State *L)
         hobe_lua_raise(L, &err);
     struct hobe_solution_info info;
     hobe_solution_info(*solution, &info);
-    hobe_lua_context(L)->factorisations += info.factorisations;
+    hobe_lua_context(L)->cost.solve += info.seconds;
+    hobe_lua_context(L)->cost.factorisations += info.factorisations;
     note_change(L, info.change);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
@@ -701,6 +702,8 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     struct hobe_path_info info;
     double change = 0;
     hobe_path_info(path, &info);
+    hobe_lua_context(L)->cost.solve += info.seconds;
+    hobe_lua_context(L)->cost.factorisations += info.factorisations;
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);
