@@ -32,6 +32,13 @@ struct advise_model {
     enum advise_without without;
 };
 
+/* A model as a word, "MGD30w:8", "MGD30w:8:linear", "MGD30w:8:no-shear": text[ADVISE_WORD]; and
+ * back, HOBE_BAD_INPUT or HOBE_UNKNOWN for what is none. */
+enum { ADVISE_WORD = 120 };
+void advise_model_word(const struct advise_model *model, char *text);
+enum hobe_status advise_read_model(const char *text, struct advise_model *model,
+                                   struct hobe_error *err);
+
 /* Changes a material so that it leaves that out; 0 where it cannot, for the shear factors it has.
  */
 int advise_leave_out(enum advise_without without, struct hobe_material *material);

@@ -98,7 +98,6 @@ int hobe_lua_body(lua_State *L);
 
 /* Pushes the scene of the list of items at the absolute index, its beams as a model has them, NULL:
  * as they are.  (lua_scene.c) */
-struct advise_model;
 struct hobe_lua_scene *hobe_lua_make_scene(lua_State *L, int items,
                                            const struct advise_model *model);
 

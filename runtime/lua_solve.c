@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Solver verbs and their results. */
 #define _GNU_SOURCE
+#include "advise.h"
 #include "lua_item.h"
 
 #include <math.h>
@@ -500,6 +501,8 @@ hobe_solution **hobe_lua_new_result(lua_State *L, int scene)
     return &result->solution;
 }
 
+static const struct hobe_lua_schema static_schema;
+
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
                                           void *options, size_t size)
 {
@@ -516,6 +519,9 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
     }
     memset(options, 0, size);
     hobe_lua_read(L, 2, schema, options);
+    const struct advise_model *model = hobe_lua_context(L)->model;
+    if (model && model->linear && schema != &static_schema)
+        hobe_lua_fail(L, "%s: a linear model is for hobe.static alone", schema->name);
     return scene;
 }
 
@@ -588,7 +594,9 @@ static int solve_static(lua_State *L)
     struct hobe_lua_scene *scene = hobe_lua_read_verb(L, &static_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
+    const struct advise_model *model = hobe_lua_context(L)->model;
     options.newton.no_line_search = !options.line_search;
+    options.newton.linear |= model && model->linear;
     hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
