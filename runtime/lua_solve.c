@@ -501,7 +501,12 @@ hobe_solution **hobe_lua_new_result(lua_State *L, int scene)
     return &result->solution;
 }
 
-static const struct hobe_lua_schema static_schema;
+void hobe_lua_check_linear(lua_State *L, const char *verb)
+{
+    const struct advise_model *model = hobe_lua_context(L)->model;
+    if (model && model->linear && strcmp(verb, "static"))
+        hobe_lua_fail(L, "%s: a linear model is one of hobe.static alone", verb);
+}
 
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
                                           void *options, size_t size)
@@ -519,9 +524,7 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
     }
     memset(options, 0, size);
     hobe_lua_read(L, 2, schema, options);
-    const struct advise_model *model = hobe_lua_context(L)->model;
-    if (model && model->linear && schema != &static_schema)
-        hobe_lua_fail(L, "%s: a linear model is for hobe.static alone", schema->name);
+    hobe_lua_check_linear(L, schema->name);
     return scene;
 }
 
