@@ -18,7 +18,9 @@ static const double OPEN = 0.25;       /* share of the accuracy that the estimat
 static const double LEAST_OPEN = 0.02; /* where a choice hangs on it */
 static const double SLOW = 1.5, MODEST = 4, HIGH = 16; /* ratios of errors on meshes of n and 2 n */
 static const double BETTER = 2; /* how much less a base must leave open than lower ones */
-static const double HOPE = 1.3; /* times the accuracy that a prediction may miss to be tried */
+static const double CHEAPEST = 1.0 / 16,
+                    CHEAPER = 0.5; /* costs at which other elements are tried */
+static const double HOPE = 1.3;    /* times the accuracy that a prediction may miss to be tried */
 
 static const int MESH[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
 enum { MESHES = sizeof MESH / sizeof *MESH };
@@ -78,6 +80,16 @@ const char *advise_step(const struct hobe_kernel *kernel)
         if (!strcmp(kernel->name, LEVELS[i].element))
             return LEVELS[i].effect;
     return kernel->name;
+}
+
+int advise_same_section(const struct hobe_kernel *a, const struct hobe_kernel *b)
+{
+    if (a->modes != b->modes || strcmp(a->mechanics, b->mechanics))
+        return 0;
+    for (int k = 0; k < a->modes; k++)
+        if (strcmp(a->mode[k], b->mode[k]))
+            return 0;
+    return 1;
 }
 
 int advise_leave_out(enum advise_without without, struct hobe_material *material)
@@ -540,6 +552,41 @@ static int hangs(const struct search *s)
     return 0;
 }
 
+/* Runs an element on meshes that cost less than half of the model taken, until one holds. */
+static enum hobe_status try_element(struct search *s, const struct hobe_kernel *kernel,
+                                    struct hobe_error *err)
+{
+    const struct advise_trial taken = s->advice->trial[s->advice->model];
+    const int iterations = (int)lround(taken.cost / advise_cost(&taken.model, 1));
+    for (int k = 0; k < MESHES && MESH[k] <= s->problem->most; k++) {
+        const struct advise_model model = plain(kernel, MESH[k]);
+        const double cost = advise_cost(&model, iterations) / taken.cost;
+        const struct advise_trial *trial;
+        struct advise_loss error;
+        if (cost < CHEAPEST || cost > CHEAPER)
+            continue;
+        const enum hobe_status status = try_model(s, &model, &trial, err);
+        if (status)
+            return status;
+        if (trial && holds(s, trial, &error)) {
+            take(s, trial, 1, error);
+            return HOBE_OK;
+        }
+    }
+    return HOBE_OK;
+}
+
+/* Tries the elements that have the section modes of the model taken. */
+static enum hobe_status try_twins(struct search *s, struct hobe_error *err)
+{
+    const struct hobe_kernel *taken = s->advice->trial[s->advice->model].model.kernel;
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; !status && hobe_kernels()[i]; i++)
+        if (hobe_kernels()[i] != taken && advise_same_section(hobe_kernels()[i], taken))
+            status = try_element(s, hobe_kernels()[i], err);
+    return status;
+}
+
 /* ---- evidence -------------------------------------------------------------------------------- */
 
 /* Takes the linear model on the coarsest mesh that holds and costs less. */
@@ -601,7 +648,7 @@ static void weigh_levels(struct search *s)
             at++;
         if (l > 0 && s->level[l].of[STEP].count > 0)
             a->level[at] = loss_of(s, s->level[l].of[STEP].limit, NULL);
-        if (s->level[l].kernel == taken->kernel && find_trial(s, &twin)) {
+        if (advise_same_section(s->level[l].kernel, taken->kernel) && find_trial(s, &twin)) {
             predict(s, l, 0, s->x);
             a->mesh = loss_of(s, find_trial(s, &twin)->value, s->x);
         }
@@ -651,6 +698,8 @@ static enum hobe_status search(struct search *s, struct hobe_error *err)
         if (!status && s->advice->holds && !hangs(s))
             break;
     }
+    if (!status)
+        status = try_twins(s, err);
     if (!status && (s->problem->weighs_linear || s->problem->takes_linear))
         status = try_linear(s, err);
     if (!status)

@@ -81,7 +81,7 @@ int advise_evidence(const struct advice *a, struct advise_effect *effect)
         if (l > 0)
             effect[count++] = (struct advise_effect){advise_step(p->level[l]),
                                                      verdict(a, a->level[l], has), a->level[l]};
-        has = has && p->level[l] != model->kernel;
+        has = has && !advise_same_section(p->level[l], model->kernel);
     }
     effect[count++] = (struct advise_effect){"large displacements",
                                              verdict(a, a->linear, !model->linear), a->linear};
