@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Solver verbs and their results. */
 #define _GNU_SOURCE
+#include "advise.h"
 #include "lua_item.h"
 
 #include <math.h>
@@ -545,6 +546,13 @@ hobe_solution **hobe_lua_new_result(lua_State *L, int scene)
     return &result->solution;
 }
 
+void hobe_lua_check_linear(lua_State *L, const char *verb)
+{
+    const struct advise_model *model = hobe_lua_context(L)->model;
+    if (model && model->linear && strcmp(verb, "static"))
+        hobe_lua_fail(L, "%s: a linear model is one of hobe.static alone", verb);
+}
+
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
                                           void *options, size_t size)
 {
@@ -558,6 +566,7 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
     }
     memset(options, 0, size);
     hobe_lua_read(L, 2, schema, options);
+    hobe_lua_check_linear(L, schema->name);
     return scene;
 }
 
@@ -634,8 +643,10 @@ static int solve_static(lua_State *L)
     struct hobe_lua_scene *scene = hobe_lua_read_verb(L, &static_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
+    const struct advise_model *model = hobe_lua_context(L)->model;
     options.newton.no_line_search = !options.line_search;
     options.newton.projection = hobe_lua_finish_projection(L, &static_schema, &options.projection);
+    options.newton.linear |= model && model->linear;
     hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
@@ -647,7 +658,7 @@ static int solve_static(lua_State *L)
     if (status)
         hobe_lua_raise(L, &err);
     const struct hobe_solution_info info = info_of(*solution);
-    hobe_lua_context(L)->factorisations += info.factorisations;
+    hobe_lua_context(L)->cost.factorisations += info.factorisations;
     hobe_lua_context(L)->cost.solve += info.seconds;
     note_change(L, info.change);
     hobe_lua_note_reduced(L, info.indicator);
@@ -752,6 +763,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     const hobe_solution *last = NULL;
     hobe_path_info(path, &info);
     hobe_lua_context(L)->cost.solve += info.seconds;
+    hobe_lua_context(L)->cost.factorisations += info.factorisations;
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);

@@ -27,6 +27,9 @@ static const char usage[] =
     "      --time-limit S               processor time that the script may spend in Lua (10)\n"
     "      --memory-limit MB            memory that the script may use in Lua (512)\n"
     "      --trust                      no sandbox, no limits: for scripts of your own\n"
+    "      --model=ELEMENT:ELEMENTS     the same element and mesh for all scenes (and :linear)\n"
+    "  hobe advise CASE [name=value ...] the cheapest model that holds an accuracy\n"
+    "      --accuracy A                 largest relative error of a value of the report (1e-3)\n"
     "  hobe chart CASE [name=value,...] run a ladder of models of a case: error against time\n"
     "      --quick                      fewer meshes, three rounds\n"
     "      --limit S                    processor time of a run (60)\n"
@@ -97,6 +100,8 @@ static void set_context(lua_State *L, const struct run *run)
     context->resume = run->resume;
     context->log = run->log;
     context->progress = isatty(STDERR_FILENO);
+    context->model = run->model;
+    context->overridden = run->model != NULL;
     hobe_lua_push_store(L, HOBE_LUA_OVERRIDES);
     for (int i = 0; i < run->overrides; i++) {
         const char *equals = strchr(run->override[i], '=');
@@ -133,8 +138,28 @@ static int run_protected(lua_State *L)
     return hobe_lua_finish(L, run->format, run->to);
 }
 
+/* Takes the last word "--model=..." out of the overrides, as its model. */
+static enum hobe_status read_model(struct run *run, struct advise_model *model,
+                                   struct hobe_error *err)
+{
+    static const char option[] = "--model=";
+    enum hobe_status status = HOBE_OK;
+    int kept = 0;
+    for (int i = 0; i < run->overrides; i++)
+        if (strncmp(run->override[i], option, strlen(option)))
+            run->override[kept++] = run->override[i];
+        else if (!(status = advise_read_model(run->override[i] + strlen(option), model, err)))
+            run->model = model;
+    run->overrides = kept;
+    return status;
+}
+
 int run_script(struct run *run)
 {
+    struct hobe_error err;
+    struct advise_model model;
+    if (read_model(run, &model, &err))
+        return complain(err.message, 1);
     lua_State *L = hobe_lua_new_state(run->script, (size_t)(run->megabytes * 1048576));
     if (!L)
         return complain("out of memory", 1);
@@ -250,6 +275,8 @@ static int read_argument(struct run *run, char **argv, int *i)
         run->trust = 1;
     else if (!strcmp(argv[*i], "--resume"))
         run->resume = 1;
+    else if (!strncmp(argv[*i], "--model=", 8))
+        return read_override(run, argv[*i]);
     else if (*argv[*i] == '-')
         return complain_usage("unknown option or missing value: %.100s (see hobe help)", argv[*i]);
     else if (strchr(argv[*i], '='))
@@ -425,6 +452,8 @@ int main(int argc, char **argv)
         return command_run(argc, argv);
     if (!strcmp(command, "elements"))
         return command_elements(argc, argv);
+    if (!strcmp(command, "advise"))
+        return command_advise(argc, argv);
     if (!strcmp(command, "chart"))
         return command_chart(argc, argv);
     if (!strcmp(command, "bench"))
