@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Beams in the order added, then bodies, then a block of multipliers for every join, two for every
  * body and three for every joint: more than enough. */
