@@ -1004,7 +1004,7 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
 enum hobe_status hobe_solution_mesh_error(const hobe_solution *solution, const char *beam,
                                           double *share, struct hobe_error *err);
 
-/* The sentence to warn with where that is 1/50 or more, "" where it is less. */
+/* The sentence to warn with where that is 1/100 or more, "" where it is less. */
 enum hobe_status hobe_solution_mesh_warning(const hobe_solution *solution, const char *beam,
                                             char *text, size_t size, struct hobe_error *err);
 

@@ -454,7 +454,7 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "stretch and bending.  It sees coarse meshes and elements that lock, not what loads do that "
      "act inside elements at one place; 0 of 3333s and of sections that vary.  `hobe.static` and, "
      "at its end, `hobe.path` "
-     "warn where it is 0.02 or more.",
+     "warn where it is 0.01 or more.",
      NULL, NULL},
     {"reaction", reaction, "r:reaction(name)",
      "What the clamp or support called `name` does to its beam, a joint to its second beam: "

@@ -12,10 +12,10 @@
  * bending, and membrane locking: an element whose axis cannot follow a bent arc makes up for that
  * by stretch, which in a slender beam is so much stiffer that it then hardly bends.  Where both
  * slopes turn along an element, in torsion, they are shorter in between, since they are
- * interpolated: that goes with N.  Of both the mean over an element
- * is left out: Poisson's ratio makes one where something presses on the section, as its own spin
- * does, and even twist another; a coarse mesh makes none.  Shear and the rest of torsion are left
- * out, too, so that the estimate is low. */
+ * interpolated: that goes with N.  Of both the mean over an element is left out: Poisson's ratio
+ * makes one where something presses on the section, as its own spin does, and even twist another; a
+ * coarse mesh makes none.  Shear and the rest of torsion are left out, too, so that the estimate is
+ * low. */
 #include "around.h"
 #include "assemble.h"
 #include "element.h"
@@ -26,9 +26,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Less is what a coarse mesh may well cost.  Twist is wrong by up to eight times as much, where far
+/* Less is what a coarse mesh may well cost.  Twist can be wrong by ten times as much, where far
  * twisted bars get stiffer with the third power of it. */
-static const double NOTICEABLE = 0.02;
+static const double NOTICEABLE = 0.01;
 
 /* p = r', the section's slopes d_y, d_z, and their derivatives along the axis, of some field. */
 struct directors {
