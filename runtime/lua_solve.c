@@ -98,9 +98,10 @@ static const struct hobe_lua_field fields[] = {
         "round-off leaves open is less"),
     SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
     SOLVED("negative", solution.negative, 'i', NULL,
-           "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "
-           "stable, as it may be with some where the scene spins (hobe.modal tells); -1: not "
-           "counted"),
+           "negative eigenvalues of the tangent stiffness, 0 where the equilibrium is stable, as a "
+           "point of a path may be with some where the scene spins (hobe.modal tells); -1: not "
+           "counted, as by hobe.static then, and with follower forces.  hobe.static warns where "
+           "there are any"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
@@ -465,7 +466,7 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "stretch and bending.  It sees coarse meshes and elements that lock, not what loads do that "
      "act inside elements at one place; 0 of 3333s and of sections that vary.  `hobe.static` and, "
      "at its end, `hobe.path` "
-     "warn where it is 0.05 or more.",
+     "warn where it is 0.01 or more.",
      NULL, NULL},
     {"reaction", reaction, "r:reaction(name)",
      "What the clamp or support called `name` does to its beam, a joint to its second beam: "
@@ -498,6 +499,22 @@ static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const
     hobe_lua_warn(L, lua_pushfstring(L, "%s%s", text, when));
     lua_pop(L, 1);
     return warning;
+}
+
+/* Warns of an equilibrium that a scene free to move would leave. */
+static void warn_unstable(lua_State *L, const hobe_solution *solution)
+{
+    struct hobe_solution_info info;
+    char text[300];
+    hobe_solution_info(solution, &info);
+    if (info.negative <= 0)
+        return;
+    snprintf(text, sizeof text,
+             "the equilibrium is unstable: its tangent stiffness has %d negative eigenvalue%s, so "
+             "that there is a critical load below this one; look for it with hobe.buckling or "
+             "hobe.path, and disturb the scene a little to find where it goes",
+             info.negative, info.negative > 1 ? "s" : "");
+    hobe_lua_warn(L, text);
 }
 
 /* Warns of each beam whose mesh is too coarse. */
@@ -666,6 +683,7 @@ static int solve_static(lua_State *L)
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
     warn_mesh(L, *solution, scene->model);
+    warn_unstable(L, *solution);
     return 1;
 }
 
