@@ -4,12 +4,15 @@
 #include "newton.h"
 
 #include "assemble.h"
+#include "component_modes.h"
 #include "constraint.h"
 #include "damping.h"
 #include "inertia.h"
 #include "load.h"
 #include "mass.h"
 #include "pattern.h"
+#include "reduction.h"
+#include "snapshot_modes.h"
 #include "solution.h"
 #include "spring.h"
 
@@ -63,7 +66,8 @@ void solver_move(struct solver *s, const double *x, double factor)
                 s->u[3 * v + a] += factor * x[3 * model->unknown[v] + a];
 }
 
-double solver_norm(const struct solver *s, const double *field, int p)
+/* |D^p field| over all unknowns. */
+static double whole_norm(const struct solver *s, const double *field, int p)
 {
     const hobe_model *model = s->model;
     double sum[3] = {0}; /* three chains, which do not wait for each other */
@@ -75,6 +79,11 @@ double solver_norm(const struct solver *s, const double *field, int p)
                 sum[a] += x * x;
             }
     return sqrt(sum[0] + sum[1] + sum[2]);
+}
+
+double solver_norm(const struct solver *s, const double *field, int p)
+{
+    return s->space.count > 0 && p > 0 ? subspace_norm(&s->space, field) : whole_norm(s, field, p);
 }
 
 /* |D^-1 du| of the correction. */
@@ -165,11 +174,13 @@ static enum hobe_status factor_in_columns(struct solver *s, struct hobe_error *e
 enum outcome solver_factor(struct solver *s, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_SINGULAR;
-    if (s->K.layout == FRONTS) {
+    if (s->space.count > 0)
+        status = subspace_factor(&s->space, s->K.value, err);
+    else if (s->K.layout == FRONTS) {
         s->factored = FRONTS;
         status = fronts_factor(s->model->fronts, s->K.value, s->scale);
     }
-    if (status == HOBE_SINGULAR)
+    if (status == HOBE_SINGULAR && s->space.count == 0)
         status = factor_in_columns(s, err);
     s->info.factorisations++;
     if (status == HOBE_SINGULAR)
@@ -199,10 +210,24 @@ enum hobe_status solver_solve(struct solver *s, const double *field, double fact
     solver_restrict(s->model, field, x);
     for (long i = 0; i < 3 * s->model->unknowns; i++)
         x[i] *= factor;
-    if (s->factored == COLUMNS)
+    if (s->space.count > 0)
+        subspace_solve(&s->space, x);
+    else if (s->factored == COLUMNS)
         return hobe_linsolve_solve(s->model->solver, x, err);
-    fronts_solve(s->model->fronts, s->K.value, x);
+    else
+        fronts_solve(s->model->fronts, s->K.value, x);
     return HOBE_OK;
+}
+
+enum hobe_status solver_confine(struct solver *s, double factor, struct hobe_error *err)
+{
+    const struct hobe_projection *how = s->options.projection;
+    const int fixed = how && how->method == HOBE_PROJECTION_SNAPSHOTS;
+    if (!how || (fixed && s->space.count > 0))
+        return HOBE_OK;
+    s->info.linearisations++;
+    return fixed ? snapshot_modes(s->model, how, s->reference, &s->space, err)
+                 : component_modes(s->model, how, s->u, factor, s->reference, &s->space, err);
 }
 
 /* Takes the correction, halved until the work of the residual along it has fallen. */
@@ -372,12 +397,16 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 {
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
     double reached = 0, step = 1.0 / s->options.steps;
+    int fresh = 1; /* the state is another one than that of the last attempt */
     while (reached < 1) {
         const double target = reached + step > 1 - 1e-9 ? 1 : reached + step;
         const int before = s->info.iterations;
         s->now.step = s->info.steps + 1;
         memcpy(s->start, s->u, size);
+        if (fresh && solver_confine(s, reached, err))
+            return err ? err->status : HOBE_NO_MEMORY;
         const enum outcome outcome = attempt(s, target, err);
+        fresh = outcome == CONVERGED;
         if (outcome == ERROR)
             return err ? err->status : HOBE_NO_MEMORY;
         if (outcome == FAILED) {
@@ -399,12 +428,12 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 /* ---- a start from another solution ----------------------------------------------------------- */
 
 /* Whether the states of both models have the same unknowns. */
-static int same_shape(const hobe_model *a, const hobe_model *b)
+static int same_shape(const hobe_model *a, const hobe_solution *start)
 {
-    const size_t size = (size_t)a->vectors * sizeof *a->unknown;
-    return a->vectors == b->vectors && a->beam_vectors == b->beam_vectors &&
-           a->unknowns == b->unknowns && !memcmp(a->alias, b->alias, size) &&
-           !memcmp(a->unknown, b->unknown, size);
+    const hobe_model *b = start->model;
+    if (a->reduction)
+        return start->reduced == a->reduction->of && start->coordinates == a->vectors;
+    return model_same_shape(a, b);
 }
 
 /* Newton at the full load from the start that is given, in one step; FAILED leaves the reference.
@@ -413,7 +442,7 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
 {
     const hobe_solution *start = s->options.start;
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
-    if (!same_shape(s->model, start->model)) {
+    if (!same_shape(s->model, start)) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL,
                   "start must be a result of this scene or of one of the same shape (the same "
                   "elements, joins and supports in the same order): it has %ld unknowns, here are "
@@ -421,9 +450,11 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
                   3 * start->model->unknowns, 3 * s->model->unknowns);
         return ERROR;
     }
-    memcpy(s->u, start->u, size);
+    memcpy(s->u, solution_field(start, s->model, SOLUTION_U), size);
     memcpy(s->start, s->u, size);
     s->now.step = 1;
+    if (solver_confine(s, 1, err))
+        return ERROR;
     const enum outcome outcome = attempt(s, 1, err);
     if (outcome == CONVERGED) {
         s->info.steps = 1;
@@ -442,7 +473,24 @@ static void set_scale(struct solver *s)
 {
     solver_evaluate(s, 1, TRUE_TANGENT);
     pattern_scale(s->model, &s->K, s->scale);
+    if (s->model->reduction && s->model->reduction->of->centre) { /* where F is not 0 */
+        memset(s->r, 0, (size_t)(3 * s->model->vectors) * sizeof *s->r);
+        load_subtract(s->model, s->u, &s->motion.instant, 1, s->r, NULL);
+    }
     s->load_norm = solver_norm(s, s->r, 1); /* F = 0 at the reference */
+    if (s->reference)
+        memcpy(s->reference, s->scale, (size_t)(3 * s->model->unknowns) * sizeof *s->scale);
+}
+
+enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err)
+{
+    if (s->K.layout == COLUMNS)
+        return HOBE_OK;
+    hobe_free(s->K.value);
+    s->K.value = NULL;
+    if (pattern_columns(s->model, err))
+        return HOBE_NO_MEMORY;
+    return pattern_matrix(s->model, COLUMNS, &s->K, err);
 }
 
 static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
@@ -457,18 +505,12 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     s->scale = hobe_alloc(n, sizeof *s->scale, err);
     if (!s->u || !s->start || !s->turned || !s->step || !s->r || !s->x || !s->scale)
         return HOBE_NO_MEMORY;
-    return pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err);
-}
-
-enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err)
-{
-    if (s->K.layout == COLUMNS)
-        return HOBE_OK;
-    hobe_free(s->K.value);
-    s->K.value = NULL;
-    if (pattern_columns(s->model, err))
+    if (pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err))
         return HOBE_NO_MEMORY;
-    return pattern_matrix(s->model, COLUMNS, &s->K, err);
+    if (!s->options.projection)
+        return HOBE_OK;
+    s->reference = hobe_alloc(n, sizeof *s->reference, err);
+    return s->reference ? solver_use_columns(s, err) : HOBE_NO_MEMORY;
 }
 
 void solver_close(struct solver *s)
@@ -483,6 +525,8 @@ void solver_close(struct solver *s)
     hobe_free(s->mass.value);
     hobe_free(s->x);
     hobe_free(s->scale);
+    hobe_free(s->reference);
+    subspace_close(&s->space);
 }
 
 static void set_defaults(struct hobe_newton *o)
@@ -502,6 +546,7 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
 {
     *s = (struct solver){.model = model, .options = *options, .singular = -1};
     s->info.negative = -1;
+    s->info.indicator = model->reduction ? NAN : 0;
     set_defaults(&s->options);
     s->motion.instant.time = s->info.time = options->time;
     const enum hobe_status status = allocate(s, err);
@@ -515,6 +560,8 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
 {
     s->info.energy = assemble_energy(s->model, s->u) + spring_energy(s->model, s->u);
     s->info.seconds = hobe_seconds() - started;
+    s->info.projected = s->space.count;
+    s->info.outside = s->space.count > 0 ? whole_norm(s, s->r, 1) / s->load_norm : 0;
     return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
 }
 
@@ -541,9 +588,31 @@ static enum hobe_status follow_series(hobe_model *model, const struct hobe_newto
     return status;
 }
 
+/* u = K_0^-1 Q, and what of the load it leaves unbalanced. */
+static enum hobe_status respond(struct solver *s, struct hobe_error *err)
+{
+    const enum outcome outcome = solver_factor(s, err);
+    if (outcome != CONVERGED)
+        return outcome == ERROR ? err->status : solver_name_free(s, err);
+    enum hobe_status status = solver_solve(s, s->r, -1, s->x, err);
+    if (status)
+        return status;
+    solver_move(s, s->x, 1);
+    solver_evaluate(s, 1, NO_TANGENT);
+    status = model_failure(s->model, err);
+    if (status)
+        return status;
+    s->info.steps = s->info.iterations = 1;
+    s->info.load = 1;
+    s->info.residual = solver_norm(s, s->r, 1) / s->load_norm;
+    return solution_smallest_volume(s->model, s->u, &s->info.smallest_volume, err);
+}
+
 /* Equilibrium at the full load, in s->u. */
 static enum hobe_status find(struct solver *s, struct hobe_error *err)
 {
+    if (s->options.linear)
+        return respond(s, err);
     const enum outcome outcome = s->options.start ? attempt_start(s, err) : FAILED;
     if (outcome == ERROR)
         return err ? err->status : HOBE_NO_MEMORY;
@@ -563,7 +632,7 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     const double started = hobe_seconds();
     status = solver_open(&s, model, options, err);
     const int loaded = !status && s.load_norm > 0;
-    if (loaded && options->method == HOBE_METHOD_SERIES)
+    if (loaded && options->method == HOBE_METHOD_SERIES && !options->linear)
         status = follow_series(model, &s.options, solution, err);
     else if (loaded)
         status = find(&s, err);
