@@ -98,6 +98,7 @@ static void set_context(lua_State *L, const struct run *run)
     context->script = run->script;
     context->trusted = run->trust;
     context->resume = run->resume;
+    context->ask = run->ask;
     context->log = run->log;
     context->progress = isatty(STDERR_FILENO);
     context->model = run->model;
@@ -131,10 +132,12 @@ static int run_protected(lua_State *L)
             lua_pushfstring(L, "%s: this is compiled Lua; a case must be source", run->script);
         return lua_error(L);
     }
-    lua_call(L, 0, 0);
+    if (lua_pcall(L, 0, 0, 0) && lua_touserdata(L, -1) != hobe_lua_context(L))
+        return lua_error(L);
     hobe_lua_check_memory();
     hobe_lua_pause_clock(); /* for good: the rest is not the script's */
-    hobe_lua_check_overrides(L);
+    if (!run->ask)          /* else not all parameters may have been reached */
+        hobe_lua_check_overrides(L);
     return hobe_lua_finish(L, run->format, run->to);
 }
 
