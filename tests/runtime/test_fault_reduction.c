@@ -62,7 +62,7 @@ static enum hobe_status go(void *section, struct hobe_error *err)
     size_t size;
     enum hobe_status status = model ? add_items(model, section, err) : HOBE_NO_MEMORY;
     if (!status)
-        status = hobe_reduce(model, &(struct hobe_reduce){.modes = 3}, &reduced, err);
+        status = hobe_reduce(model, &(struct hobe_reduce){.modes = 2}, &reduced, err);
     if (!status)
         status = hobe_reduced_write(reduced, &bytes, &size, err);
     if (!status)

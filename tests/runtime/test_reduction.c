@@ -321,8 +321,8 @@ static void spins(const hobe_section *section)
  * as fields, or by the method that takes them first. */
 static void retains_modes(const hobe_section *section, int given)
 {
-    enum { MODES = 6 };
-    struct hobe_beam beam = soft_beam(section, 3);
+    enum { MODES = 2 };
+    struct hobe_beam beam = soft_beam(section, 2);
     hobe_model *whole = cantilever(&beam, 0);
     hobe_modes *a = modes_of(whole, NULL, MODES, HOBE_MODAL_AUTO);
     const struct hobe_reduce options = {.method = given ? HOBE_REDUCE_FIELDS : HOBE_REDUCE_MODES,
