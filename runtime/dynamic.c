@@ -25,6 +25,9 @@ static const double CLOSED = 1e-8;
  * a step longer by this at least: each change costs factors. */
 static const double SAFETY = 0.9, SHRINK = 0.3, GROW = 1.5, MOST_GROWTH = 2;
 
+/* Displacements, relative to the scene's size, after which a projection is made again. */
+static const double DEVIATION = 0.1;
+
 /* Steps of one length at least before it grows. */
 enum { PATIENCE = 5 };
 
@@ -230,6 +233,9 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
     status = check_position(g, err);
     if (status)
         return status;
+    status = genalpha_confine(g, err);
+    if (status)
+        return status;
     const double speed = genalpha_norm(g, g->now.v);
     memcpy(g->v, g->now.v, size);
     status = settle(g, &changed, err);
@@ -334,6 +340,22 @@ static enum hobe_status advance(struct run *run, double target, struct hobe_erro
     }
 }
 
+/* Finds the modes of a projection again where the scene has moved far enough. */
+static enum hobe_status follow(struct run *run, struct hobe_error *err)
+{
+    struct genalpha *g = &run->g;
+    const struct hobe_projection *how = run->options.projection;
+    double changed;
+    if (!how || how->method != HOBE_PROJECTION_COMPONENTS ||
+        genalpha_deviation(g) <= (how->deviation > 0 ? how->deviation : DEVIATION))
+        return HOBE_OK;
+    enum hobe_status status = genalpha_confine(g, err);
+    if (!status)
+        status = settle(g, &changed, err);
+    account_begin(&run->account, g);
+    return status;
+}
+
 /* Takes the step that was found. */
 static void take(struct run *run, double target)
 {
@@ -392,6 +414,8 @@ static enum hobe_status move_to_stop(struct run *run, struct hobe_error *err)
             status = history_keep(run->history, &run->g, &run->account, run->started, err);
         if (!status)
             status = grow(run, target, err);
+        if (!status)
+            status = follow(run, err);
         if (!status && run->history->info.steps % MARKED == 0)
             status = checkpoint_save(run, err);
     }
@@ -424,6 +448,10 @@ static enum hobe_status check_options(const struct hobe_dynamic *o, struct hobe_
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a motion needs a finite end and step, and rho up to 1, got %g, %g and %g",
                          o->to, o->step, o->rho);
+    if (o->projection && o->journal)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a motion with a projection cannot be taken up from a journal; leave one "
+                         "of them out");
     return HOBE_OK;
 }
 
@@ -460,6 +488,8 @@ static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_
         status = move(run, err);
     run->history->info.time = run->g.now.time;
     run->history->info.iterations = run->g.s.info.iterations;
+    run->history->info.projected = run->g.s.space.count;
+    run->history->info.linearisations = run->g.s.info.linearisations;
     run->history->info.factorisations = run->g.s.info.factorisations;
     run->history->info.seconds = hobe_seconds() - run->started;
     return status;

@@ -23,6 +23,12 @@ enum hobe_status eigen_dense(int n, double *M, double *K, double *nu, int *defin
 enum hobe_status eigen_general(int n, double *A, double *re, double *im, double *Z,
                                struct hobe_error *err);
 
+/* L U factors with row pivots, pivot[n], of a dense matrix given by its columns A[n][n], in its
+ * place; and x[n] = its inverse times x by them.  HOBE_SINGULAR where the pivots, whose matrix
+ * should be scaled, differ by what rounding leaves of nothing. */
+enum hobe_status eigen_factor(int n, double *A, int *pivot, struct hobe_error *err);
+void eigen_divide(int n, const double *LU, const int *pivot, double *x);
+
 /* A pencil of n unknowns as functions: y = M x; x = K^-1 x; and y = B x, B the matrix of the inner
  * product: K, where it is positive definite, or, where that is NULL, M, positive semidefinite. */
 struct eigen_pencil {

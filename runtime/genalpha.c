@@ -62,13 +62,14 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
                                                                          : DEFAULT_ITERATIONS,
                            .full_newton = options->full_newton};
     set_parameters(g, options->rho > 0 ? options->rho : DEFAULT_RHO);
-    enum hobe_status status = solver_open(&g->s, model, &(struct hobe_newton){0}, err);
+    enum hobe_status status =
+        solver_open(&g->s, model, &(struct hobe_newton){.projection = options->projection}, err);
     if (!status && model->spun) /* Coriolis' force has a skew matrix */
         status = solver_use_columns(&g->s, err);
     if (status)
         return status;
-    double **field[] = {&g->now.u, &g->now.v, &g->now.w, &g->now.a, &g->v,
-                        &g->w,     &g->a,     &g->force, &g->weight};
+    double **field[] = {&g->now.u, &g->now.v, &g->now.w, &g->now.a,  &g->v,
+                        &g->w,     &g->a,     &g->force, &g->weight, &g->turned};
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         *field[i] = hobe_alloc((size_t)(3 * model->vectors), sizeof(double), err);
         if (!*field[i])
@@ -83,8 +84,8 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
 
 void genalpha_close(struct genalpha *g)
 {
-    double *const field[] = {g->now.u, g->now.v, g->now.w, g->now.a, g->v,
-                             g->w,     g->a,     g->force, g->weight};
+    double *const field[] = {g->now.u, g->now.v, g->now.w, g->now.a,  g->v,
+                             g->w,     g->a,     g->force, g->weight, g->turned};
     for (size_t i = 0; i < sizeof field / sizeof *field; i++)
         hobe_free(field[i]);
     solver_close(&g->s);
@@ -103,6 +104,22 @@ double genalpha_violation(const struct genalpha *g, const double *r)
 double genalpha_norm(const struct genalpha *g, const double *x)
 {
     return sqrt(fmax(0, mass_product(g->s.model, x, x)) / g->mass);
+}
+
+double genalpha_deviation(struct genalpha *g)
+{
+    for (long i = 0; i < 3 * g->s.model->moving; i++)
+        g->force[i] = g->now.u[i] - g->turned[i];
+    return genalpha_norm(g, g->force) / g->size;
+}
+
+enum hobe_status genalpha_confine(struct genalpha *g, struct hobe_error *err)
+{
+    const size_t size = (size_t)(3 * g->s.model->vectors) * sizeof *g->turned;
+    memcpy(g->s.u, g->now.u, size);
+    memcpy(g->turned, g->now.u, size);
+    genalpha_forget(g);
+    return solver_confine(&g->s, 1, err);
 }
 
 double genalpha_acceleration(const struct genalpha *g)

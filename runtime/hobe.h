@@ -669,6 +669,29 @@ enum hobe_method {
 
 typedef struct hobe_solution hobe_solution;
 
+/* A solver that looks for its corrections among few fields only (Galerkin's method): the residual
+ * of the full model is projected on them, and what they cannot see of it stays.  Forces and
+ * matrices are those of the full model, so that this takes longer than the full solution: it shows
+ * what such fields can do. */
+enum hobe_projection_method {
+    HOBE_PROJECTION_COMPONENTS, /* constraint modes and fixed-interface normal modes of the tangent
+                                  stiffness (component_modes.h), found again where the scene moves:
+                                  at each load step, or in motion by `deviation` */
+    HOBE_PROJECTION_SNAPSHOTS   /* the main directions of states that are given (proper orthogonal
+                                  decomposition, Sirovich 1987), for good */
+};
+
+struct hobe_projection {
+    enum hobe_projection_method method;
+    int modes;        /* how many; of snapshots 0: as many as `accuracy` asks for */
+    double deviation; /* of components in motion: displacements, relative to the scene's size in
+                         the norm of the mass, after which modes are found again; 0: 0.1 */
+    double accuracy;  /* of snapshots: the share of them, in the norm of the scaled displacements,
+                         that may be left out; 0: 1e-6 */
+    const hobe_solution *const *snapshot; /* [snapshots] of the model or of one of the same shape */
+    int snapshots;
+};
+
 struct hobe_newton {
     enum hobe_method method;
     const hobe_solution *start; /* where hobe_static begins, at the full load: an equilibrium of the
@@ -679,6 +702,7 @@ struct hobe_newton {
     double tolerance;           /* on `residual`; 0: 1e-9 */
     double smallest_step;       /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
+    const struct hobe_projection *projection; /* NULL: none; not by series */
     double time; /* s, at which drives and histories are taken, >= 0; the motion of drives is scaled
                     by the load factor, too */
     void (*log)(void *context, const struct hobe_iteration *iteration); /* may be NULL */
@@ -698,11 +722,15 @@ struct hobe_solution_info {
                         stiffness at rest; it is taken, and round-off leaves less than that open (by
                         series, which leave it, so much); NaN where the stiffness has no factors */
     double energy;   /* strain energy, that of springs included, J */
+    long projected;  /* unknowns of a projection, multipliers included; 0: none */
+    int linearisations; /* how often its modes were found */
+    double outside;     /* residual of the full model, most of which a projection does not see */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
-    double indicator;    /* of a reduced model: what its displacements may lack of those of the
-                            whole one, relative to their size; 0 of whole models; NaN: not asked */
-    double seconds;      /* in the verb so far, without set-up */
+    double indicator; /* of a reduced model and of a projection: what its displacements may lack of
+                         those of the whole one, relative to their size, in motion the largest so
+                         far; 0 of whole models; NaN: not asked */
+    double seconds;   /* in the verb so far, without set-up */
 };
 
 /* Static equilibrium under all loads of the model from its reference or options.start; by series
@@ -805,8 +833,9 @@ struct hobe_dynamic {
                            iterations and steps, as long as they converge fast enough */
     double smallest_step; /* below which a motion that needs accuracy is given up, s; 0: 1e-9 of
                              the time to go */
-    int equilibrium;      /* 1: it starts from the static equilibrium under the loads of t = 0; 0:
-                             from the reference; with the velocities of hobe_motion */
+    const struct hobe_projection *projection; /* NULL: none; without a journal */
+    int equilibrium; /* 1: it starts from the static equilibrium under the loads of t = 0; 0:
+                        from the reference; with the velocities of hobe_motion */
     const hobe_solution *start; /* or from this state of the model: an equilibrium, at t = 0, or one
                                    of an earlier motion, at its time with its velocities */
     void (*log)(void *context, const struct hobe_time_step *step); /* may be NULL */
@@ -824,7 +853,9 @@ struct hobe_history_info {
     long factorisations;
     double time;                        /* reached, s */
     double smallest_step, largest_step; /* taken, s */
-    double seconds;                     /* in hobe_dynamic without set-up */
+    long projected;     /* unknowns of a projection, multipliers included; 0: none */
+    int linearisations; /* how often its modes were found */
+    double seconds;     /* in hobe_dynamic without set-up */
 };
 
 /* The motion of a model under its loads, all of them on: M w + F(q) + Phi_q' lambda = Q(q, v, t),
@@ -1157,11 +1188,11 @@ struct hobe_reduce {
 
 struct hobe_reduced_info {
     enum hobe_reduce_method method;
-    int unknowns;   /* q */
-    int closed;     /* as in hobe_reduce */
-    long whole;     /* unknowns of the model */
+    int unknowns;    /* q */
+    int closed;      /* as in hobe_reduce */
+    long whole;      /* unknowns of the model */
     double accuracy; /* that was asked for, or 0 */
-    double seconds; /* offline: basis and energy; of one that was read, to read it */
+    double seconds;  /* offline: basis and energy; of one that was read, to read it */
 };
 
 /* Makes the basis and the energy on it.  HOBE_BAD_INPUT for elements whose energy is not quartic,

@@ -462,7 +462,7 @@ static int is_constant(const struct hobe_force *force)
     return !force->follower && !force->function && !force->history;
 }
 
-void load_touch(const struct hobe_model *model, unsigned char *touched)
+void load_touch(const struct hobe_model *model, int dead, unsigned char *touched)
 {
     struct station s;
     for (size_t i = 0; i < model->forces.count + model->moments.count; i++) {
@@ -470,7 +470,7 @@ void load_touch(const struct hobe_model *model, unsigned char *touched)
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         const struct hobe_moment *turning =
             (const struct hobe_moment *)model->moments.item + (i - model->forces.count);
-        if (!moment && is_constant(force))
+        if (!moment && !dead && is_constant(force))
             continue;
         if (moment)
             find_station(model, turning->beam, turning->at, NULL, NULL, &s);

@@ -104,10 +104,17 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
     SOLVED("indicator", solution.indicator, 'd', NULL,
-           "of a reduced model: what the displacements may lack of those of the whole scene, "
+           "of a reduced model and of a projection: what the displacements may lack of those of "
+           "the whole scene, "
            "relative to their size; 0 of whole ones; not a number where it was not asked"),
     SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
+    SOLVED("projected", solution.projected, 'l', NULL,
+           "those of a projection, multipliers included; 0: none"),
+    SOLVED("linearisations", solution.linearisations, 'i', NULL,
+           "how often the modes of a projection were found"),
+    SOLVED("outside", solution.outside, 'd', NULL,
+           "relative residual that stays outside the modes of a projection"),
     SOLVED("setup_seconds", model.setup, 'd', "s", "building the scene"),
     SOLVED("solve_seconds", solution.seconds, 'd', "s", "solving"),
     {0}};
@@ -525,6 +532,7 @@ static const double FEW_DIGITS = 1e-6; /* a change above this is said */
 
 struct options {
     struct hobe_newton newton;
+    struct hobe_projection projection;
     int line_search, log;
 };
 
@@ -553,6 +561,9 @@ static const struct hobe_lua_key static_keys[] = {
            .doc = "iterations of a step before it is cut"),
     NEWTON(smallest_step, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
            .doc = "share of the load below which a step is not cut"),
+    KEY(struct options, projection, KEY_GROUP, .group = &hobe_lua_projection_schema,
+        .doc = "looks for corrections among few fields only, by the matrices and forces of the "
+               "whole: it shows what such fields can do, and takes longer; not by series"),
     KEY(struct options, line_search, KEY_FLAG, .fallback = 1,
         .doc = "whether steps that increase the residual are shortened"),
     KEY(struct options, log, KEY_FLAG, .doc = "print each iteration on standard error"),
@@ -586,6 +597,7 @@ static int solve_static(lua_State *L)
     struct watch watch;
     struct hobe_error err;
     options.newton.no_line_search = !options.line_search;
+    options.newton.projection = hobe_lua_finish_projection(L, &static_schema, &options.projection);
     hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;

@@ -451,6 +451,14 @@ enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_er
     return model->loose.status;
 }
 
+int model_same_shape(const hobe_model *a, const hobe_model *b)
+{
+    const size_t size = (size_t)a->vectors * sizeof *a->unknown;
+    return a->vectors == b->vectors && a->beam_vectors == b->beam_vectors &&
+           a->unknowns == b->unknowns && !memcmp(a->alias, b->alias, size) &&
+           !memcmp(a->unknown, b->unknown, size);
+}
+
 void model_reference(const struct hobe_model *model, double *q)
 {
     memset(q, 0, (size_t)(3 * model->vectors) * sizeof *q);

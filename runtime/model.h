@@ -142,6 +142,9 @@ static inline long model_vector(const struct hobe_model *model, const struct bea
 /* HOBE_UNCONSTRAINED with the sentence that names what is free to move, of a built model. */
 enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_error *err);
 
+/* Whether the states of two built models have the same unknowns. */
+int model_same_shape(const hobe_model *a, const hobe_model *b);
+
 /* q[vectors][3] = the nodal vectors in the reference, global axes: positions from the origin; 0 for
  * multipliers. */
 void model_reference(const struct hobe_model *model, double *q);
