@@ -156,7 +156,7 @@ enum hobe_status run_apart(const char *script, const char *words, struct ladder_
 {
     struct chart chart = {.script = script, .limit = LIMIT};
     double seconds;
-    return run_model(&chart, words, record, why, &seconds, err);
+    return run_model(&chart, words, 0, record, why, &seconds, err);
 }
 
 /* ---- what is said --------------------------------------------------------------------------- */
