@@ -458,22 +458,28 @@ void assemble_series(const struct hobe_model *model, int k, const double *u,
 
 /* ---- energy and single elements -------------------------------------------------------------- */
 
-double assemble_energy(const struct hobe_model *model, const double *u)
+double assemble_beam_energy(const struct hobe_model *model, const struct beam *beam,
+                            const double *u)
 {
     const struct workspace *work = model->schedule.work;
     double energy = 0;
+    for (int b = 0; b < beam->batches; b++) {
+        const struct batch *batch = beam->batch + b;
+        assemble_gather(model, beam, batch, u, work->u);
+        beam->kernel->energy(hobe_element_invariants(batch->law), batch->q0, work->u, work->f);
+        for (int lane = 0; lane < batch->count; lane++)
+            energy += work->f[0][lane];
+    }
+    return energy;
+}
+
+double assemble_energy(const struct hobe_model *model, const double *u)
+{
+    double energy = 0;
     if (model->reduction)
         return reduction_energy(model, u);
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        for (int b = 0; b < beam->batches; b++) {
-            const struct batch *batch = beam->batch + b;
-            assemble_gather(model, beam, batch, u, work->u);
-            beam->kernel->energy(hobe_element_invariants(batch->law), batch->q0, work->u, work->f);
-            for (int lane = 0; lane < batch->count; lane++)
-                energy += work->f[0][lane];
-        }
-    }
+    for (size_t i = 0; i < model->beams.count; i++)
+        energy += assemble_beam_energy(model, model_beam(model, i), u);
     return energy;
 }
 

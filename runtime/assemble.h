@@ -67,7 +67,9 @@ void assemble_viscous(const struct hobe_model *model, const double *u,
 /* v' tau K_m(u) v, W. */
 double assemble_viscous_power(const struct hobe_model *model, const double *u, const double *v);
 
-/* Strain energy of all elements, J. */
+/* Strain energy of a beam's elements, and of all, J. */
+double assemble_beam_energy(const struct hobe_model *model, const struct beam *beam,
+                            const double *u);
 double assemble_energy(const struct hobe_model *model, const double *u);
 
 #endif

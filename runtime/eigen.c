@@ -6,8 +6,11 @@
 #include <stdint.h>
 #include <string.h>
 
-/* LAPACK: eigenvalues of a symmetric matrix; of any; of a pencil with a definite matrix; L D L'
- * factors; L U factors and what they solve. */
+/* BLAS: products of matrices.  LAPACK: eigenvalues of a symmetric matrix; of any; of a pencil with
+ * a definite matrix; L D L' factors; L U factors and what they solve. */
+extern void dgemm_(const char *turn_a, const char *turn_b, const int *m, const int *n, const int *k,
+                   const double *alpha, const double *A, const int *lda, const double *B,
+                   const int *ldb, const double *beta, double *C, const int *ldc);
 extern void dsyev_(const char *job, const char *triangle, const int *n, double *A, const int *lda,
                    double *w, double *work, const int *lwork, int *info);
 extern void dgeev_(const char *left, const char *right, const int *n, double *A, const int *lda,
@@ -154,6 +157,19 @@ void eigen_divide(int n, const double *LU, const int *pivot, double *x)
     const int one = 1;
     int info;
     dgetrs_("N", &n, &one, LU, &n, pivot, x, &n, &info);
+}
+
+void eigen_add_product(int n, int k, const double *X, const double *Y, double *A)
+{
+    enum { WIDE = 64 }; /* columns at a time: few of the products above the diagonal */
+    const double one = 1;
+    use_one_thread();
+    for (int i = 0; i < n; i += WIDE) {
+        const int wide = n - i < WIDE ? n - i : WIDE, tall = n - i;
+        const size_t at = (size_t)i * (size_t)k;
+        dgemm_("T", "N", &wide, &tall, &k, &one, Y + at, &k, X + at, &k, &one,
+               A + (size_t)i * (size_t)n + i, &n);
+    }
 }
 
 /* ---- Lanczos -------------------------------------------------------------------------------- */

@@ -27,6 +27,8 @@ struct laws {
     struct hobe_elasticity region[HOBE_MAX_REGIONS];
     double density[HOBE_MAX_REGIONS];
     struct hobe_law law;
+    /* of the section where it does not vary; G of its first region */
+    double EA, EIyy, EIzz, EIyz, G;
 };
 
 struct hobe_element {
@@ -305,12 +307,20 @@ static void set_laws(struct laws *laws, const struct hobe_element_options *optio
                                   .relieved = mechanics == HOBE_MECHANICS_AVERAGE};
     for (int p = 0; p < rule->points; p++)
         total += rule->point[p].weight;
-    for (int p = 0; p < rule->points; p++)
-        share[rule->point[p].region] += rule->point[p].weight / total;
+    for (int p = 0; p < rule->points; p++) {
+        const struct hobe_section_point *at = rule->point + p;
+        const double EA = material_of(options, at->region)->E * at->weight;
+        share[at->region] += at->weight / total;
+        laws->EA += EA;
+        laws->EIyy += EA * at->z * at->z;
+        laws->EIzz += EA * at->y * at->y;
+        laws->EIyz += EA * at->y * at->z;
+    }
     for (int r = 0; r < laws->law.regions; r++) {
         hobe_material_law(material_of(options, r), mechanics, laws->region + r, &mean);
         laws->density[r] = material_of(options, r)->rho;
     }
+    laws->G = material_of(options, 0)->E / (2 * (1 + material_of(options, 0)->nu));
     set_mean(laws, options, mechanics, share);
 }
 
@@ -543,6 +553,20 @@ static enum hobe_status check_rest(hobe_element *element, struct hobe_error *err
     return status;
 }
 
+/* What the element makes of the section's EA, EI and GJ: it should be all of it. */
+static enum hobe_status compare_stiffness(hobe_element *element,
+                                          const struct hobe_section_properties *p,
+                                          struct hobe_error *err)
+{
+    const struct laws *laws = &element->laws;
+    const double section[HOBE_STRAINS] = {laws->EA, laws->EIyy, laws->EIzz, laws->G * p->J};
+    double C[HOBE_STRAINS][HOBE_STRAINS];
+    const enum hobe_status status = hobe_element_stiffness(element, C, err);
+    for (int i = 0; !status && i < HOBE_STRAINS; i++)
+        element->rest.share[i] = C[i][i] / section[i];
+    return status;
+}
+
 /* The check depends on the element's proportions alone, and the softest modes of a long element
  * drown in round-off, so that a straight and prismatic one is checked at most 20 heights long: the
  * same section law with its axial part done again. */
@@ -553,8 +577,12 @@ static enum hobe_status check_at_rest(hobe_element *element, struct hobe_error *
     hobe_section_properties(element->section, &p);
     const double longest = 20 * fmax(p.width, p.height),
                  scale = longest / element->invariants.length;
-    if (scale >= 1 || element->q0)
+    if (element->q0)
         return check_rest(element, err);
+    if (scale >= 1) {
+        const enum hobe_status status = check_rest(element, err);
+        return status ? status : compare_stiffness(element, &p, err);
+    }
     hobe_element shorter = *element;
     struct hobe_invariants *inv = &shorter.invariants;
     const size_t G = (size_t)inv->stations, V = (size_t)k->vectors;
@@ -572,6 +600,8 @@ static enum hobe_status check_at_rest(hobe_element *element, struct hobe_error *
     enum hobe_status status = k->section ? fill_section(k, inv, err) : HOBE_OK;
     if (!status)
         status = check_rest(&shorter, err);
+    if (!status)
+        status = compare_stiffness(&shorter, &p, err);
     element->rest = shorter.rest;
     if (k->section)
         hobe_free(inv->section);
@@ -655,6 +685,12 @@ const double *hobe_element_q0(const hobe_element *element)
 const struct hobe_invariants *hobe_element_invariants(const hobe_element *element)
 {
     return &element->invariants;
+}
+
+void hobe_element_stiffnesses(const hobe_element *element, struct stiffnesses *s)
+{
+    const struct laws *l = &element->laws;
+    *s = (struct stiffnesses){l->EA, l->EIyy, l->EIzz, l->EIyz};
 }
 
 const struct hobe_law *hobe_element_law(const hobe_element *element)

@@ -21,6 +21,13 @@ int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int
  * tensor than from station to station, with that symmetry (HOBE_SYMMETRIC_*). */
 int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry);
 
+/* Of the element's section, which does not vary: EA, N, and EI,
+ * N m^2. */
+struct stiffnesses {
+    double EA, EIyy, EIzz, EIyz;
+};
+void hobe_element_stiffnesses(const hobe_element *element, struct stiffnesses *stiffnesses);
+
 /* The elastic law per length that the element was made with, owned by it. */
 const struct hobe_law *hobe_element_law(const hobe_element *element);
 

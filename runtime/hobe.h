@@ -273,12 +273,24 @@ enum hobe_mechanics hobe_element_mechanics(const hobe_element *element);
  * prismatic. Owned by the element. */
 const double *hobe_element_q0(const hobe_element *element);
 
+/* The strains of an axis: stretch, curvatures about the section's y and z, and twist. */
+enum hobe_strain { HOBE_STRETCH, HOBE_BEND_Y, HOBE_BEND_Z, HOBE_TWIST, HOBE_STRAINS };
+
 /* How the stiffness at rest stands: what the check in hobe_element_new saw. */
 struct hobe_rest {
     int zero, negative, positive; /* eigenvalues of the scaled free-free stiffness of one element */
     double smallest, largest;     /* its extreme nonzero eigenvalues, dimensionless */
+    double share[HOBE_STRAINS];   /* EA, EIyy, EIzz, GJ of a long beam of such elements, over those
+                                     of its section; 0 where it is curved, pretwisted or tapered */
 };
 void hobe_element_rest(const hobe_element *element, struct hobe_rest *rest);
+
+/* Stiffness per length of a long beam of such elements, straight and prismatic, at rest, whose
+ * section is free to strain as its modes let it: C[i][j], N, N m, N m^2, with EA, EIyy, EIzz, GJ
+ * about the centroid on the diagonal. */
+enum hobe_status hobe_element_stiffness(const hobe_element *element,
+                                        double C[HOBE_STRAINS][HOBE_STRAINS],
+                                        struct hobe_error *err);
 
 /* Modes of the kernel that vanish on this section or depend on earlier ones, and are held at zero:
  * dropped[kernel->modes], 1 where so. */
@@ -703,6 +715,8 @@ struct hobe_newton {
     double smallest_step;       /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
     const struct hobe_projection *projection; /* NULL: none; not by series */
+    int linear;  /* 1: the linear response to the loads instead, one correction from the reference,
+                    whose residual tells how far from equilibrium that is; not by series */
     double time; /* s, at which drives and histories are taken, >= 0; the motion of drives is scaled
                     by the load factor, too */
     void (*log)(void *context, const struct hobe_iteration *iteration); /* may be NULL */
@@ -1016,6 +1030,18 @@ enum hobe_warning {
 enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char *beam,
                                        enum hobe_warning *warning, char *text, size_t size,
                                        struct hobe_error *err);
+
+/* An estimate of how much too stiff a beam's mesh is in a state of statics, from 0 to 1: the share
+ * of the energy in which forces by its strains and forces that balance its loads differ, in stretch
+ * and bending.  It sees coarse meshes and locking, not what loads do that act inside elements at
+ * one place.  0 with mechanics `structural`, whose strains count at points of their own, and of
+ * sections that vary along the beam. */
+enum hobe_status hobe_solution_mesh_error(const hobe_solution *solution, const char *beam,
+                                          double *share, struct hobe_error *err);
+
+/* The sentence to warn with where that is 1/20 or more, "" where it is less. */
+enum hobe_status hobe_solution_mesh_warning(const hobe_solution *solution, const char *beam,
+                                            char *text, size_t size, struct hobe_error *err);
 
 /* What a clamp or support does to its beam or body, and a joint to its second, global axes: the
  * force and its moment about the place where it sits.  Of a clamp the forces on all vectors of its

@@ -456,6 +456,15 @@ const struct hobe_force *load_follower(const struct hobe_model *model)
     return NULL;
 }
 
+static void touch(const struct hobe_model *model, const struct station *s, int from, int to,
+                  unsigned char *touched)
+{
+    for (int of = from; of <= to; of++)
+        for (int v = 0; v < s->vectors; v++)
+            if (s->weight[of][v] != 0)
+                touched[station_vector(model, s, v)] = 1;
+}
+
 /* Whether the force is the same in any state at any time, and so part of model->dead. */
 static int is_constant(const struct hobe_force *force)
 {
@@ -465,20 +474,17 @@ static int is_constant(const struct hobe_force *force)
 void load_touch(const struct hobe_model *model, int dead, unsigned char *touched)
 {
     struct station s;
-    for (size_t i = 0; i < model->forces.count + model->moments.count; i++) {
-        const int moment = i >= model->forces.count;
+    for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        const struct hobe_moment *turning =
-            (const struct hobe_moment *)model->moments.item + (i - model->forces.count);
-        if (!moment && !dead && is_constant(force))
+        if (!dead && is_constant(force))
             continue;
-        if (moment)
-            find_station(model, turning->beam, turning->at, NULL, NULL, &s);
-        else
-            find_station(model, force->beam, force->at, force_point(force), NULL, &s);
-        for (int v = 0; v < s.vectors; v++)
-            touched[station_vector(model, &s, v)] |=
-                s.weight[0][v] != 0 || s.weight[1][v] != 0 || s.weight[2][v] != 0;
+        find_station(model, force->beam, force->at, force_point(force), NULL, &s);
+        touch(model, &s, 0, force->follower || force->function ? 2 : 0, touched);
+    }
+    for (size_t i = 0; i < model->moments.count; i++) {
+        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
+        find_station(model, moment->beam, moment->at, NULL, NULL, &s);
+        touch(model, &s, 1, 2, touched);
     }
 }
 

@@ -65,6 +65,8 @@ int hobe_lua_note(lua_State *L, const char *format, ...)
     va_start(args, format);
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
+    if (hobe_lua_context(L)->trying)
+        return 0;
     hobe_lua_push_store(L, HOBE_LUA_NOTES);
     const int is_new = lua_getfield(L, -1, line) == LUA_TNIL;
     if (is_new) {

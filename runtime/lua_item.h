@@ -111,6 +111,16 @@ int hobe_lua_read_body_point(lua_State *L, int index, const char *method, double
 extern const struct hobe_lua_schema hobe_lua_body_schema;
 int hobe_lua_body(lua_State *L);
 
+/* Pushes the scene of the list of items at the absolute index, its beams as a model has them, NULL:
+ * as they are.  (lua_scene.c) */
+struct advise_model;
+struct hobe_lua_scene *hobe_lua_make_scene(lua_State *L, int items,
+                                           const struct advise_model *model);
+
+/* The same with the cheapest model that holds the accuracy in the quantities that the function at
+ * an absolute index gives of a scene, nil: of how its beams move; says which.  (lua_advise.c) */
+void hobe_lua_advise(lua_State *L, int items, int function, double accuracy);
+
 /* Pushes a result that is still empty, of the scene at an index (lua_solve.c). */
 hobe_solution **hobe_lua_new_result(lua_State *L, int scene);
 

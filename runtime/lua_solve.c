@@ -361,6 +361,19 @@ static int wall_bending(lua_State *L)
                                                {0}});
 }
 
+/* r:mesh_error(beam) */
+static int mesh_error(lua_State *L)
+{
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_error err;
+    double share;
+    const char *beam = hobe_lua_text(L, 2, "mesh_error: the beam");
+    if (hobe_solution_mesh_error(result->solution, beam, &share, &err))
+        hobe_lua_raise(L, &err);
+    lua_pushnumber(L, share);
+    return 1;
+}
+
 /* r:reaction(name) */
 static int reaction(lua_State *L)
 {
@@ -445,6 +458,14 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "than 0.05, and beyond the limit torque, on standard error and in a note, but not of sections "
      "that vary along the beam, whose solution takes too long to be asked always.",
      NULL, NULL},
+    {"mesh_error", mesh_error, "r:mesh_error(beam)",
+     "An estimate of how much too stiff the beam's mesh is in statics, from 0 to 1: the share of "
+     "the energy in which forces by its strains and forces that balance its loads differ, in "
+     "stretch and bending.  It sees coarse meshes and elements that lock, not what loads do that "
+     "act inside elements at one place; 0 of 3333s and of sections that vary.  `hobe.static` and, "
+     "at its end, `hobe.path` "
+     "warn where it is 0.05 or more.",
+     NULL, NULL},
     {"reaction", reaction, "r:reaction(name)",
      "What the clamp or support called `name` does to its beam, a joint to its second beam: "
      "`force`, `{x, y, z}`, N, and `moment` about the place where it sits, N m, global axes.",
@@ -476,6 +497,20 @@ static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const
     hobe_lua_warn(L, lua_pushfstring(L, "%s%s", text, when));
     lua_pop(L, 1);
     return warning;
+}
+
+/* Warns of each beam whose mesh is too coarse. */
+static void warn_mesh(lua_State *L, const hobe_solution *solution, const hobe_model *model)
+{
+    struct hobe_error err;
+    char text[600];
+    const char *beam;
+    for (int b = 0; (beam = hobe_model_beam_name(model, b)); b++) {
+        if (hobe_solution_mesh_warning(solution, beam, text, sizeof text, &err))
+            hobe_lua_raise(L, &err);
+        if (*text)
+            hobe_lua_warn(L, text);
+    }
 }
 
 /* Warns of each beam of a model at the points of the path on top of the stack, where it gets worse.
@@ -564,6 +599,9 @@ static const struct hobe_lua_key static_keys[] = {
     KEY(struct options, projection, KEY_GROUP, .group = &hobe_lua_projection_schema,
         .doc = "looks for corrections among few fields only, by the matrices and forces of the "
                "whole: it shows what such fields can do, and takes longer; not by series"),
+    NEWTON(linear, KEY_FLAG,
+           .doc = "the linear response to the loads instead, right where they are small: one "
+                  "correction from the reference; `residual` tells how far from equilibrium it is"),
     KEY(struct options, line_search, KEY_FLAG, .fallback = 1,
         .doc = "whether steps that increase the residual are shortened"),
     KEY(struct options, log, KEY_FLAG, .doc = "print each iteration on standard error"),
@@ -608,11 +646,14 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    note_change(L, info_of(*solution).change);
-    hobe_lua_note_reduced(L, info_of(*solution).indicator);
+    const struct hobe_solution_info info = info_of(*solution);
+    hobe_lua_context(L)->factorisations += info.factorisations;
+    note_change(L, info.change);
+    hobe_lua_note_reduced(L, info.indicator);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
+    warn_mesh(L, *solution, scene->model);
     return 1;
 }
 
@@ -707,11 +748,12 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     static const char *const ends[] = {"load", "displacement", "steps"};
     struct hobe_path_info info;
     double change = 0, indicator = NAN;
+    const hobe_solution *last = NULL;
     hobe_path_info(path, &info);
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);
-        *point = hobe_path_take(path, i);
+        last = *point = hobe_path_take(path, i);
         change = fmax(change, info_of(*point).change);
         indicator = fmax(indicator, info_of(*point).indicator);
         lua_rawseti(L, -2, i + 1);
@@ -729,6 +771,8 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     lua_setfield(L, -2, "factorisations");
     set_events(L, path);
     warn_along(L, model);
+    if (last)
+        warn_mesh(L, last, model);
     if (info.end == HOBE_PATH_STEPS)
         hobe_lua_note(L, "the path ends after its %d steps, short of its end; give it more steps",
                       info.points);

@@ -70,8 +70,12 @@ enum hobe_status modes_find(struct pencil *s, const struct hobe_modal_options *o
     const double started = hobe_seconds();
     status = solve(s, &o, modes, err);
     pencil_close(s);
-    if (!status)
+    if (!status) {
         (*modes)->info.seconds = hobe_seconds() - started;
+        return HOBE_OK;
+    }
+    hobe_modes_free(*modes);
+    *modes = NULL;
     return status;
 }
 

@@ -625,9 +625,31 @@ static enum hobe_status follow_series(hobe_model *model, const struct hobe_newto
     return status;
 }
 
+/* u = K_0^-1 Q, and what of the load it leaves unbalanced. */
+static enum hobe_status respond(struct solver *s, struct hobe_error *err)
+{
+    const enum outcome outcome = solver_factor(s, err);
+    if (outcome != CONVERGED)
+        return outcome == ERROR ? err->status : solver_name_free(s, err);
+    enum hobe_status status = solver_solve(s, s->r, -1, s->x, err);
+    if (status)
+        return status;
+    solver_move(s, s->x, 1);
+    solver_evaluate(s, 1, NO_TANGENT);
+    status = model_failure(s->model, err);
+    if (status)
+        return status;
+    s->info.steps = s->info.iterations = 1;
+    s->info.load = 1;
+    s->info.residual = solver_norm(s, s->r, 1) / s->load_norm;
+    return solution_smallest_volume(s->model, s->u, &s->info.smallest_volume, err);
+}
+
 /* Equilibrium at the full load, in s->u. */
 static enum hobe_status find(struct solver *s, struct hobe_error *err)
 {
+    if (s->options.linear)
+        return respond(s, err);
     const enum outcome outcome = s->options.start ? attempt_start(s, err) : FAILED;
     if (outcome == ERROR)
         return err ? err->status : HOBE_NO_MEMORY;
@@ -647,7 +669,7 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     const double started = hobe_seconds();
     status = solver_open(&s, model, options, err);
     const int loaded = !status && s.load_norm > 0;
-    if (loaded && options->method == HOBE_METHOD_SERIES)
+    if (loaded && options->method == HOBE_METHOD_SERIES && !options->linear)
         status = follow_series(model, &s.options, solution, err);
     else if (loaded)
         status = find(&s, err);

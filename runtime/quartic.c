@@ -2,6 +2,7 @@
 #include "quartic.h"
 
 #include "assemble.h"
+#include "eigen.h"
 
 #include <string.h>
 
@@ -18,113 +19,129 @@ static long aligned(long pairs)
 
 /* ---- offline: the matrix A of h -------------------------------------------------------------- */
 
-/* The strains belong to pairs of fields, in the order of h: (u_c, x0 + x_c), twice (x_c, phi_i),
- * (phi_i, phi_j) with i >= j. */
-enum { CHANGE, SUM, CENTRE, FIRST };
-
-struct pair {
-    long a, b;
-    double weight;
-};
+/* Strains belong to pairs of fields, in the order of h: (u_c, x0 + x_c), (phi_i, 2 x_c), and
+ * (phi_i, phi_j) with i >= j.  The first of a pair is a displacement. */
+enum { CHANGE, SUM, TWICE, FIRST };
 
 struct form {
     const hobe_model *model;
     const double *centre, *field; /* as in quartic_open */
     long n, size;                 /* of h */
-    struct pair *pair;            /* [size] */
+    long (*pair)[2];              /* [size] */
     double *A;                    /* [size][size], its lower triangle */
-    hobe_lanes *of;               /* [FIRST + n][3 V] the fields of a batch, and room behind */
+    hobe_lanes *of;               /* [FIRST + n][3 V] the fields of a batch */
+    hobe_lanes *strain, *stress;  /* [size][stations][grams] of a batch */
 };
 
-static void list_pairs(struct form *form)
+static void list_pairs(const struct form *form)
 {
-    struct pair *pair = form->pair;
-    *pair++ = (struct pair){CHANGE, SUM, 1};
+    long p = 0;
+    form->pair[p][0] = CHANGE;
+    form->pair[p++][1] = SUM;
+    for (long i = 0; i < form->n; i++) {
+        form->pair[p][0] = FIRST + i;
+        form->pair[p++][1] = TWICE;
+    }
     for (long i = 0; i < form->n; i++)
-        *pair++ = (struct pair){CENTRE, FIRST + i, 2};
-    for (long i = 0; i < form->n; i++)
-        for (long j = 0; j <= i; j++)
-            *pair++ = (struct pair){FIRST + i, FIRST + j, 1};
+        for (long j = 0; j <= i; j++) {
+            form->pair[p][0] = FIRST + i;
+            form->pair[p++][1] = FIRST + j;
+        }
+}
+
+/* Numbers of the strain of a pair in a batch, [stations][grams]. */
+static long strains_of(const struct beam *beam, const struct batch *batch)
+{
+    return (long)hobe_element_invariants(batch->law)->stations *
+           (beam->kernel->normals + beam->kernel->shears);
+}
+
+/* The largest sizes of all beams; HOBE_BAD_INPUT where an energy is not quartic. */
+static enum hobe_status find_sizes(const struct form *form, long *vectors, long *strains,
+                                   struct hobe_error *err)
+{
+    *vectors = *strains = 0;
+    for (size_t i = 0; i < form->model->beams.count; i++) {
+        const struct beam *beam = model_beam(form->model, i);
+        if (!beam->kernel->gram)
+            return hobe_fail(err, HOBE_BAD_INPUT, beam->spec.where,
+                             "a reduced model needs elements whose energy is a polynomial; that of "
+                             "%s (beam \"%s\") is none: take one that is not \"structural\"",
+                             beam->kernel->name, beam->name);
+        *vectors = beam->kernel->vectors > *vectors ? beam->kernel->vectors : *vectors;
+        for (int b = 0; b < beam->batches; b++) {
+            const long here = strains_of(beam, beam->batch + b);
+            *strains = here > *strains ? here : *strains;
+        }
+    }
+    return HOBE_OK;
 }
 
 static enum hobe_status open_form(struct form *form, struct hobe_error *err)
 {
-    size_t most = 0;
-    for (size_t i = 0; i < form->model->beams.count; i++) {
-        const struct beam *beam = model_beam(form->model, i);
-        const struct hobe_kernel *k = beam->kernel;
-        if (!k->trilinear)
-            return hobe_fail(err, HOBE_BAD_INPUT, beam->spec.where,
-                             "a reduced model needs elements whose energy is a polynomial; that of "
-                             "%s (beam \"%s\") is none: take one that is not \"structural\"",
-                             k->name, beam->name);
-        const size_t room = 3 * (size_t)(FIRST + form->n + 1) * (size_t)k->vectors + k->scratch;
-        most = room > most ? room : most;
-    }
+    long vectors, strains;
     const size_t size = (size_t)form->size;
+    const enum hobe_status status = find_sizes(form, &vectors, &strains, err);
+    if (status)
+        return status;
     form->pair = hobe_alloc(size, sizeof *form->pair, err);
     form->A = hobe_alloc(size * size, sizeof *form->A, err);
-    form->of = hobe_alloc(most, sizeof *form->of, err);
-    if (!form->pair || !form->A || !form->of)
+    form->of = hobe_alloc((size_t)(3 * (FIRST + form->n) * vectors), sizeof *form->of, err);
+    form->strain = hobe_alloc(2 * size * (size_t)strains, sizeof *form->strain, err);
+    if (!form->pair || !form->A || !form->of || !form->strain)
         return HOBE_NO_MEMORY;
+    form->stress = form->strain + form->size * strains;
     list_pairs(form);
     return HOBE_OK;
 }
 
-static void close_form(struct form *form)
+static void close_form(const struct form *form)
 {
     hobe_free(form->pair);
     hobe_free(form->A);
     hobe_free(form->of);
+    hobe_free(form->strain);
+}
+
+/* A displacement on a batch; spare lanes do not move, and so have no strain. */
+static void gather_displacement(const struct form *form, const struct beam *beam,
+                                const struct batch *batch, const double *u, hobe_lanes *to)
+{
+    assemble_gather(form->model, beam, batch, u, to);
+    for (int k = 0; k < 3 * beam->kernel->vectors; k++)
+        for (int lane = batch->count; lane < HOBE_LANES; lane++)
+            to[k][lane] = 0;
 }
 
 static void gather_fields(const struct form *form, const struct beam *beam,
                           const struct batch *batch)
 {
-    const long size = 3 * beam->kernel->vectors, all = 3 * form->model->vectors;
+    const long size = 3 * beam->kernel->vectors;
     hobe_lanes *change = form->of + CHANGE * size;
     if (form->centre)
-        assemble_gather(form->model, beam, batch, form->centre, change);
+        gather_displacement(form, beam, batch, form->centre, change);
     else
         memset(change, 0, (size_t)size * sizeof *change);
     for (long k = 0; k < size; k++) {
-        form->of[CENTRE * size + k] = batch->q0[k] + change[k];
-        form->of[SUM * size + k] = batch->q0[k] + form->of[CENTRE * size + k];
+        form->of[SUM * size + k] = 2 * batch->q0[k] + change[k];
+        form->of[TWICE * size + k] = 2 * (batch->q0[k] + change[k]);
     }
     for (long i = 0; i < form->n; i++)
-        assemble_gather(form->model, beam, batch, form->field + i * all,
-                        form->of + (FIRST + i) * size);
+        gather_displacement(form, beam, batch, form->field + 3 * form->model->vectors * i,
+                            form->of + (FIRST + i) * size);
 }
 
-static double dot(const hobe_lanes *a, const hobe_lanes *b, long size, int lanes)
+/* A += S'Q S of a batch. */
+static void add_batch(const struct form *form, const struct beam *beam, const struct batch *batch)
 {
-    hobe_lanes sum = {0};
-    double all = 0;
-    for (long k = 0; k < size; k++)
-        sum += a[k] * b[k];
-    for (int lane = 0; lane < lanes; lane++)
-        all += sum[lane];
-    return all;
-}
-
-static void add_batch(struct form *form, const struct beam *beam, const struct batch *batch)
-{
-    const struct hobe_kernel *kernel = beam->kernel;
-    const long size = 3 * kernel->vectors;
-    hobe_lanes *f = form->of + (FIRST + form->n) * size, *scratch = f + size;
+    const long size = 3 * beam->kernel->vectors, strains = strains_of(beam, batch);
     gather_fields(form, beam, batch);
-    for (long p = 0; p < form->size; p++) {
-        const struct pair *b = form->pair + p;
-        for (long r = 0, last = -1; r <= p; r++) {
-            const struct pair *a = form->pair + r;
-            if (a->a != last)
-                kernel->trilinear(hobe_element_invariants(batch->law), form->of + a->a * size,
-                                  form->of + b->a * size, form->of + b->b * size, f, scratch);
-            last = a->a;
-            form->A[p * form->size + r] +=
-                0.5 * a->weight * b->weight * dot(f, form->of + a->b * size, size, batch->count);
-        }
-    }
+    for (long p = 0; p < form->size; p++)
+        beam->kernel->gram(hobe_element_invariants(batch->law), form->of + form->pair[p][0] * size,
+                           form->of + form->pair[p][1] * size, form->strain + p * strains,
+                           form->stress + p * strains);
+    eigen_add_product((int)form->size, (int)(HOBE_LANES * strains), (const double *)form->strain,
+                      (const double *)form->stress, form->A);
 }
 
 /* ---- offline: tensors ------------------------------------------------------------------------ */
