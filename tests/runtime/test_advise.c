@@ -116,8 +116,10 @@ static double error_of(const double *value, const double *truth)
     return worst;
 }
 
-/* Whether a model of the ladder that costs less than `most` is within the accuracy; which. */
-static int cheaper_holds(struct cantilever *c, const double *truth, double accuracy, double most,
+/* Whether a model of the ladder, no richer than one element, that costs less than `most` is within
+ * the accuracy; which. */
+static int cheaper_holds(struct cantilever *c, const struct hobe_kernel *richest,
+                         const double *truth, double accuracy, double most,
                          struct advise_model *which)
 {
     static const char *const ELEMENTS[] = {"BE24",  "BE24w", "3333",   "3333w",   "3333w3", "3433",
@@ -131,7 +133,8 @@ static int cheaper_holds(struct cantilever *c, const double *truth, double accur
         *which = (struct advise_model){.kernel = hobe_find_kernel(ELEMENTS[i / 24], &err),
                                        .elements = MESH[i / 2 % 12],
                                        .linear = i % 2};
-        if (advise_cost(which, which->linear ? 1 : 3) < most &&
+        if (which->kernel->modes <= richest->modes &&
+            advise_cost(which, which->linear ? 1 : 3) < most &&
             !run(c, which, value, &iterations, &err) && advise_cost(which, iterations) < most &&
             error_of(value, truth) <= accuracy)
             return 1;
@@ -179,7 +182,8 @@ static void check_choice(int kind, int levels, double accuracy)
     check_that(!advice.holds || error <= 2 * accuracy, "accuracy %g met: %g", accuracy, error);
     check_that(advice.holds || error >= 0.1 * accuracy, "nothing holds %g: %g", accuracy, error);
     check_that(advice.error.size <= accuracy || !advice.holds, "the claim");
-    const int cheaper_too = cheaper_holds(&c, truth, accuracy, taken->cost / 3, &cheaper);
+    const int cheaper_too =
+        cheaper_holds(&c, finest.kernel, truth, accuracy, taken->cost / 3, &cheaper);
     check_that(!cheaper_too, "%s %d%s would do", cheaper.kernel->name, cheaper.elements,
                cheaper.linear ? " linear" : "");
     advice_free(&advice);
