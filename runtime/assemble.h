@@ -10,6 +10,10 @@
 enum hobe_status assemble_schedule(hobe_model *model, struct hobe_error *err);
 void assemble_free(struct schedule *schedule);
 
+/* to[V][3] = a field u[vectors][3] on a batch of a beam; spare lanes repeat the last element. */
+void assemble_gather(const struct hobe_model *model, const struct beam *beam,
+                     const struct batch *batch, const double *u, hobe_lanes *to);
+
 /* f[vectors][3] = dU/dq of all elements in state u, N; and K the tangent stiffness of the unknowns,
  * unless NULL.  Both overwritten. */
 void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K);
@@ -63,7 +67,9 @@ void assemble_viscous(const struct hobe_model *model, const double *u,
 /* v' tau K_m(u) v, W. */
 double assemble_viscous_power(const struct hobe_model *model, const double *u, const double *v);
 
-/* Strain energy of all elements, J. */
+/* Strain energy of a beam's elements, and of all, J. */
+double assemble_beam_energy(const struct hobe_model *model, const struct beam *beam,
+                            const double *u);
 double assemble_energy(const struct hobe_model *model, const double *u);
 
 #endif

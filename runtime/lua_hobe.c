@@ -308,6 +308,8 @@ const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"A motion", hobe_lua_history_methods, 1},
     {"Vibration and buckling", hobe_lua_modal_entries, 0},
     {"Modes", hobe_lua_modes_methods, 1},
+    {"Reduced models", hobe_lua_reduce_entries, 0},
+    {"A reduced model", hobe_lua_reduced_methods, 1},
     {"One element", hobe_lua_kernel_entries, 0},
     {"Methods of an element", hobe_lua_kernel_methods, 1},
     {"Reports", hobe_lua_report_entries, 0},

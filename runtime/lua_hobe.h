@@ -31,6 +31,8 @@ extern const struct hobe_lua_entry hobe_lua_section_methods[];   /* lua_taper.c 
 extern const struct hobe_lua_entry hobe_lua_item_entries[];      /* lua_item.c */
 extern const struct hobe_lua_entry hobe_lua_drive_entries[];     /* lua_drive.c */
 extern const struct hobe_lua_entry hobe_lua_scene_entries[];     /* lua_scene.c */
+extern const struct hobe_lua_entry hobe_lua_reduce_entries[];    /* lua_reduce.c */
+extern const struct hobe_lua_entry hobe_lua_reduced_methods[];   /* lua_reduce.c */
 extern const struct hobe_lua_entry hobe_lua_solve_entries[];     /* lua_solve.c */
 extern const struct hobe_lua_entry hobe_lua_result_methods[];    /* lua_solve.c */
 extern const struct hobe_lua_entry hobe_lua_dynamic_entries[];   /* lua_dynamic.c */

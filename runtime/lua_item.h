@@ -5,11 +5,12 @@
 
 #include "lua_hobe.h"
 
-#define HOBE_LUA_ITEM  "hobe.item"
-#define HOBE_LUA_SCENE "hobe.scene"
-#define HOBE_LUA_CURVE "hobe.curve"
-#define HOBE_LUA_DRIVE "hobe.drive"
-#define HOBE_LUA_RAMP  "hobe.ramp"
+#define HOBE_LUA_ITEM    "hobe.item"
+#define HOBE_LUA_SCENE   "hobe.scene"
+#define HOBE_LUA_REDUCED "hobe.reduced"
+#define HOBE_LUA_CURVE   "hobe.curve"
+#define HOBE_LUA_DRIVE   "hobe.drive"
+#define HOBE_LUA_RAMP    "hobe.ramp"
 
 enum hobe_lua_kind {
     ITEM_BEAM,
@@ -56,6 +57,20 @@ struct hobe_lua_item {
 struct hobe_lua_scene {
     hobe_model *model;
 };
+
+/* A reduced model as userdata, which verbs take for a scene.  (lua_reduce.c, so below) */
+struct hobe_lua_reduced {
+    struct hobe_lua_scene scene; /* its model is the reduced one */
+    hobe_reduced *reduced;
+    int owned; /* and freed with it */
+};
+
+/* The scene, or reduced model, that is the first argument of a verb; raises where it is none. */
+struct hobe_lua_scene *hobe_lua_read_scene(lua_State *L, const char *verb);
+
+/* Says with the results that the first argument was reduced, if it is, and what the indicator of
+ * the result is, unless NaN. */
+void hobe_lua_note_reduced(lua_State *L, double indicator);
 
 /* The keys material = {...}, fit for struct hobe_material. */
 extern const struct hobe_lua_schema hobe_lua_material_schema;
@@ -114,6 +129,14 @@ const hobe_solution *hobe_lua_push_state(lua_State *L, int motion, int i);
 
 /* Raises where the command line wants a linear model of a verb that has none. */
 void hobe_lua_check_linear(lua_State *L, const char *verb);
+
+/* The key `projection` of the table at index 2, which has been read into *projection by that
+ * schema: what the solver is to be given, NULL where it is left out; results to train with stay on
+ * the stack.  (lua_projection.c) */
+extern const struct hobe_lua_schema hobe_lua_projection_schema;
+const struct hobe_projection *hobe_lua_finish_projection(lua_State *L,
+                                                         const struct hobe_lua_schema *schema,
+                                                         struct hobe_projection *projection);
 
 /* The scene and the table of options of a verb, the schema's name: its first two arguments. */
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,

@@ -187,6 +187,12 @@ static const struct hobe_lua_field fields[] = {
     NUMBER("size", dofs, 'i', "degrees of freedom, 3N"),
     NUMBER("zero", rest.zero, 'i', "eigenvalues of the stiffness at rest that are zero: 6"),
     NUMBER("negative", rest.negative, 'i', "those below zero: 0"),
+    NUMBER("EA", rest.share[HOBE_STRETCH], 'd',
+           "stiffness in stretch of a long beam of such elements over that of the section: 1"),
+    NUMBER("EIyy", rest.share[HOBE_BEND_Y], 'd', "in bending about y"),
+    NUMBER("EIzz", rest.share[HOBE_BEND_Z], 'd', "about z"),
+    NUMBER("GJ", rest.share[HOBE_TWIST], 'd',
+           "and in torsion, more than 1 without a warping function"),
     {0}};
 
 static int get_field(lua_State *L)

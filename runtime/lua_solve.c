@@ -104,8 +104,17 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
+    SOLVED("indicator", solution.indicator, 'd', NULL,
+           "of a reduced model: what the displacements may lack of those of the whole scene, "
+           "relative to their size; 0 of whole ones; not a number where it was not asked"),
     SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
+    SOLVED("projected", solution.projected, 'l', NULL,
+           "those of a projection, multipliers included; 0: none"),
+    SOLVED("linearisations", solution.linearisations, 'i', NULL,
+           "how often the modes of a projection were found"),
+    SOLVED("outside", solution.outside, 'd', NULL,
+           "relative residual that stays outside the modes of a projection"),
     SOLVED("setup_seconds", model.setup, 'd', "s", "building the scene"),
     SOLVED("solve_seconds", solution.seconds, 'd', "s", "solving"),
     {0}};
@@ -352,6 +361,19 @@ static int wall_bending(lua_State *L)
                                                {0}});
 }
 
+/* r:mesh_error(beam) */
+static int mesh_error(lua_State *L)
+{
+    struct result *result = luaL_checkudata(L, 1, HOBE_LUA_RESULT);
+    struct hobe_error err;
+    double share;
+    const char *beam = hobe_lua_text(L, 2, "mesh_error: the beam");
+    if (hobe_solution_mesh_error(result->solution, beam, &share, &err))
+        hobe_lua_raise(L, &err);
+    lua_pushnumber(L, share);
+    return 1;
+}
+
 /* r:reaction(name) */
 static int reaction(lua_State *L)
 {
@@ -436,6 +458,14 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "than 0.05, and beyond the limit torque, on standard error and in a note, but not of sections "
      "that vary along the beam, whose solution takes too long to be asked always.",
      NULL, NULL},
+    {"mesh_error", mesh_error, "r:mesh_error(beam)",
+     "An estimate of how much too stiff the beam's mesh is in statics, from 0 to 1: the share of "
+     "the energy in which forces by its strains and forces that balance its loads differ, in "
+     "stretch and bending.  It sees coarse meshes and elements that lock, not what loads do that "
+     "act inside elements at one place; 0 of 3333s and of sections that vary.  `hobe.static` and, "
+     "at its end, `hobe.path` "
+     "warn where it is 0.05 or more.",
+     NULL, NULL},
     {"reaction", reaction, "r:reaction(name)",
      "What the clamp or support called `name` does to its beam, a joint to its second beam: "
      "`force`, `{x, y, z}`, N, and `moment` about the place where it sits, N m, global axes.",
@@ -467,6 +497,20 @@ static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const
     hobe_lua_warn(L, lua_pushfstring(L, "%s%s", text, when));
     lua_pop(L, 1);
     return warning;
+}
+
+/* Warns of each beam whose mesh is too coarse. */
+static void warn_mesh(lua_State *L, const hobe_solution *solution, const hobe_model *model)
+{
+    struct hobe_error err;
+    char text[600];
+    const char *beam;
+    for (int b = 0; (beam = hobe_model_beam_name(model, b)); b++) {
+        if (hobe_solution_mesh_warning(solution, beam, text, sizeof text, &err))
+            hobe_lua_raise(L, &err);
+        if (*text)
+            hobe_lua_warn(L, text);
+    }
 }
 
 /* Warns of each beam of a model at the points of the path on top of the stack, where it gets worse.
@@ -514,10 +558,7 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
     lua_settop(L, 2);
     if (hobe_lua_context(L)->called)
         hobe_lua_fail(L, "%s: a function that a solver calls cannot solve", schema->name);
-    struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
-    if (!scene)
-        hobe_lua_fail(L, "%s must be given a scene, %s(hobe.scene{...}), got %s", schema->name,
-                      schema->name, hobe_lua_describe(L, 1));
+    struct hobe_lua_scene *scene = hobe_lua_read_scene(L, schema->name);
     if (lua_isnil(L, 2)) {
         lua_newtable(L);
         lua_replace(L, 2);
@@ -534,6 +575,7 @@ static const double FEW_DIGITS = 1e-6; /* a change above this is said */
 
 struct options {
     struct hobe_newton newton;
+    struct hobe_projection projection;
     int line_search, log;
 };
 
@@ -562,6 +604,9 @@ static const struct hobe_lua_key static_keys[] = {
            .doc = "iterations of a step before it is cut"),
     NEWTON(smallest_step, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
            .doc = "share of the load below which a step is not cut"),
+    KEY(struct options, projection, KEY_GROUP, .group = &hobe_lua_projection_schema,
+        .doc = "looks for corrections among few fields only, by the matrices and forces of the "
+               "whole: it shows what such fields can do, and takes longer; not by series"),
     NEWTON(linear, KEY_FLAG,
            .doc = "the linear response to the loads instead, right where they are small: one "
                   "correction from the reference; `residual` tells how far from equilibrium it is"),
@@ -572,11 +617,11 @@ static const struct hobe_lua_key static_keys[] = {
 
 static const struct hobe_lua_schema static_schema = {"static", static_keys};
 
-static double change_of(const hobe_solution *solution)
+static struct hobe_solution_info info_of(const hobe_solution *solution)
 {
     struct hobe_solution_info info;
     hobe_solution_info(solution, &info);
-    return info.change;
+    return info;
 }
 
 /* Says when few digits are settled. */
@@ -600,6 +645,7 @@ static int solve_static(lua_State *L)
     const struct advise_model *model = hobe_lua_context(L)->model;
     options.newton.no_line_search = !options.line_search;
     options.newton.linear |= model && model->linear;
+    options.newton.projection = hobe_lua_finish_projection(L, &static_schema, &options.projection);
     hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
@@ -610,14 +656,15 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    struct hobe_solution_info info;
-    hobe_solution_info(*solution, &info);
+    const struct hobe_solution_info info = info_of(*solution);
     hobe_lua_context(L)->cost.solve += info.seconds;
     hobe_lua_context(L)->cost.factorisations += info.factorisations;
     note_change(L, info.change);
+    hobe_lua_note_reduced(L, info.indicator);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
+    warn_mesh(L, *solution, scene->model);
     return 1;
 }
 
@@ -711,18 +758,21 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
 {
     static const char *const ends[] = {"load", "displacement", "steps"};
     struct hobe_path_info info;
-    double change = 0;
+    double change = 0, indicator = NAN;
+    const hobe_solution *last = NULL;
     hobe_path_info(path, &info);
     hobe_lua_context(L)->cost.solve += info.seconds;
     hobe_lua_context(L)->cost.factorisations += info.factorisations;
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);
-        *point = hobe_path_take(path, i);
-        change = fmax(change, change_of(*point));
+        last = *point = hobe_path_take(path, i);
+        change = fmax(change, info_of(*point).change);
+        indicator = fmax(indicator, info_of(*point).indicator);
         lua_rawseti(L, -2, i + 1);
     }
     note_change(L, change);
+    hobe_lua_note_reduced(L, indicator);
     lua_pushstring(L, ends[info.end]);
     lua_setfield(L, -2, "ended");
     set_number(L, "solve_seconds", info.seconds);
@@ -734,6 +784,8 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     lua_setfield(L, -2, "factorisations");
     set_events(L, path);
     warn_along(L, model);
+    if (last)
+        warn_mesh(L, last, model);
     if (info.end == HOBE_PATH_STEPS)
         hobe_lua_note(L, "the path ends after its %d steps, short of its end; give it more steps",
                       info.points);

@@ -94,6 +94,36 @@ static enum hobe_status note_spurious(hobe_model *model, struct hobe_error *err)
     return HOBE_OK;
 }
 
+/* Where a share of the section's stiffness is further than this from 1, it is said. */
+static const double NOTED = 0.01;
+
+/* An element is as stiff as its section but for what its modes and its law keep it from: torsion
+ * without a warping function, Poisson's coupling that sections cannot follow, a law on the axis. */
+static enum hobe_status note_stiffness(hobe_model *model, struct hobe_error *err)
+{
+    static const char *const names[HOBE_STRAINS] = {"EA", "EIyy", "EIzz", "GJ"};
+    for (size_t i = 0; i < model->beams.count; i++) {
+        const struct beam *beam = model_beam(model, i);
+        struct hobe_rest rest;
+        char text[600];
+        hobe_element_rest(beam->law[0], &rest);
+        int used =
+            snprintf(text, sizeof text, "beam \"%.200s\": %.99s with mechanics %s has", beam->name,
+                     beam->kernel->name, hobe_mechanics_name(hobe_element_mechanics(beam->law[0])));
+        const int none = used;
+        for (int s = 0; s < HOBE_STRAINS; s++)
+            if (rest.share[s] != 0 && fabs(rest.share[s] - 1) > NOTED)
+                used += snprintf(text + used, sizeof text - (size_t)used, "%s %.4g times the %s",
+                                 used > none ? "," : "", rest.share[s], names[s]);
+        if (used == none)
+            continue;
+        snprintf(text + used, sizeof text - (size_t)used, " of its section");
+        if (model_add_note(model, text, err))
+            return HOBE_NO_MEMORY;
+    }
+    return HOBE_OK;
+}
+
 int node_at(const struct beam *beam, double at, int *element)
 {
     const struct hobe_kernel *k = beam->kernel;
@@ -221,6 +251,8 @@ enum hobe_status number_model(hobe_model *model, struct hobe_error *err)
         status = check_held(model, err);
     if (!status)
         status = note_spurious(model, err);
+    if (!status)
+        status = note_stiffness(model, err);
     if (status)
         return status;
     hold_idle_corners(model);

@@ -3,7 +3,6 @@
  * six zero and no negative eigenvalue, and the stiffness of section theory as far as the element's
  * modes can hold it.  Prints the table of EA, EIyy, EIzz, GJ over section theory. */
 #include "check.h"
-#include "homogeneous.h"
 #include "scene.h"
 
 #include <math.h>
@@ -151,7 +150,7 @@ static int kept_vectors(const struct hobe_kernel *kernel)
 static void check_element(const struct subject *s, const hobe_element *element)
 {
     struct hobe_rest rest;
-    double C[HOMOGENEOUS][HOMOGENEOUS], ratio[HOMOGENEOUS];
+    double C[HOBE_STRAINS][HOBE_STRAINS], ratio[HOBE_STRAINS];
     const double G = E / (2 * (1 + NU));
     const double theory[] = {E * s->p.A, E * s->p.Iyy, E * s->p.Izz, G * s->p.J};
     hobe_element_rest(element, &rest);
@@ -159,19 +158,20 @@ static void check_element(const struct subject *s, const hobe_element *element)
                s->name, rest.zero, rest.negative);
     check_that(rest.zero + rest.positive == 3 * kept_vectors(s->kernel), "%s: no mode is left out",
                s->name);
-    homogeneous_stiffness(element, C);
-    for (int i = 0; i < HOMOGENEOUS; i++)
-        ratio[i] = C[i][i] / theory[i];
-    for (int i = 0; i < HOMOGENEOUS; i++)
+    check_that(!hobe_element_stiffness(element, C, NULL), "its stiffness");
+    for (int i = 0; i < HOBE_STRAINS; i++)
+        check_relative(rest.share[i], ratio[i] = C[i][i] / theory[i], 1e-8, /* 30 heights long */
+                       "share %d of the section's stiffness, %s", i, s->name);
+    for (int i = 0; i < HOBE_STRAINS; i++)
         for (int j = 0; j < i; j++)
             check_absolute(C[i][j] / sqrt(C[i][i] * C[j][j]), 0, 1e-12, "%s: coupling %d %d",
                            s->name, i, j);
-    check_stretch(s, ratio[STRETCH]);
-    check_bending(s, ratio[BEND_Y], "EIyy");
-    check_bending(s, ratio[BEND_Z], "EIzz");
-    check_torsion(s, ratio[TWIST]);
-    printf("%-34s %.8f %.8f %.8f %11.8f  %.1e\n", s->name, ratio[STRETCH], ratio[BEND_Y],
-           ratio[BEND_Z], ratio[TWIST], rest.smallest / rest.largest);
+    check_stretch(s, ratio[HOBE_STRETCH]);
+    check_bending(s, ratio[HOBE_BEND_Y], "EIyy");
+    check_bending(s, ratio[HOBE_BEND_Z], "EIzz");
+    check_torsion(s, ratio[HOBE_TWIST]);
+    printf("%-34s %.8f %.8f %.8f %11.8f  %.1e\n", s->name, ratio[HOBE_STRETCH], ratio[HOBE_BEND_Y],
+           ratio[HOBE_BEND_Z], ratio[HOBE_TWIST], rest.smallest / rest.largest);
 }
 
 static hobe_element *make(const struct subject *s, double heights, struct hobe_error *err)
@@ -264,7 +264,43 @@ static void spurious_modes_are_noted(void)
         check_that(!status && note && strstr(note, "14 zero-energy modes") &&
                        strstr(note, names[i]),
                    "%s with 3 x 3 x 3 points: %s", names[i], note ? note : err.message);
-        check_that(!note || !hobe_model_note(model, 1), "one note, no more");
+        const char *more = note ? hobe_model_note(model, 1) : NULL;
+        check_that(more && strstr(more, "times the GJ of its section") &&
+                       !hobe_model_note(model, 2),
+                   "a second note tells of torsion: %s", more ? more : "none");
+        hobe_model_free(model);
+    }
+    hobe_section_free(section);
+}
+
+/* A beam that is stiffer or softer than its section says so; one that is as stiff says nothing. */
+static void wrong_stiffness_is_noted(void)
+{
+    static const struct {
+        const char *element;
+        enum hobe_mechanics mechanics;
+        const char *note; /* NULL: none */
+    } beams[] = {
+        {"MGD30w", HOBE_MECHANICS_AVERAGE, NULL},
+        {"3333s", HOBE_MECHANICS_STRUCTURAL, NULL},
+        {"3333", HOBE_MECHANICS_AVERAGE, "average has 1.186 times the GJ of its section"},
+        {"MGD30", HOBE_MECHANICS_FULL,
+         "full has 1.346 times the EIyy, 1.346 times the EIzz, 1.186 times the GJ of its section"},
+        {"MGD30w-II", HOBE_MECHANICS_AXIS, "axis has 0.8425 times the EA of its section"},
+    };
+    hobe_section *section = rectangle(0.1, 0.1);
+    for (size_t i = 0; i < sizeof beams / sizeof *beams; i++) {
+        struct hobe_beam beam = beam_along_x(beams[i].element, 1, section, E, NU, 0.2);
+        struct hobe_error err;
+        beam.mechanics = beams[i].mechanics;
+        hobe_model *model = cantilever(&beam, 0);
+        const enum hobe_status status = hobe_model_build(model, &err);
+        const char *note = hobe_model_note(model, 0);
+        check_that(!status && (beams[i].note ? note && strstr(note, beams[i].note) : !note),
+                   "%s: %s", beams[i].element,
+                   note     ? note
+                   : status ? err.message
+                            : "no note");
         hobe_model_free(model);
     }
     hobe_section_free(section);
@@ -275,5 +311,6 @@ int main(void)
     every_combination();
     indefinite_is_refused();
     spurious_modes_are_noted();
+    wrong_stiffness_is_noted();
     return check_report();
 }

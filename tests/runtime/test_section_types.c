@@ -3,7 +3,6 @@
  * the stiffness of beams that have them. */
 #include "check.h"
 #include "hobe.h"
-#include "homogeneous.h"
 #include "scene.h"
 
 #include <math.h>
@@ -263,15 +262,19 @@ static void stiffness(hobe_section *section)
     const double G = E / (2 * (1 + NU));
     for (int k = 0; k < 5; k++) {
         struct hobe_error err;
-        double C[HOMOGENEOUS][HOMOGENEOUS];
+        double C[HOBE_STRAINS][HOBE_STRAINS];
         hobe_element *element = element_of(kernels[k], section, HOBE_MECHANICS_DEFAULT, &err);
         if (!element)
             check_stop("%s", err.message);
-        homogeneous_stiffness(element, C);
-        check_relative(C[STRETCH][STRETCH], E * p.A, 1e-9, "EA, %s", hobe_section_text(section));
-        check_relative(C[BEND_Y][BEND_Y], E * p.Iyy, 1e-9, "EIyy, %s", hobe_section_text(section));
-        check_relative(C[BEND_Z][BEND_Z], E * p.Izz, 1e-9, "EIzz, %s", hobe_section_text(section));
-        check_relative(C[TWIST][TWIST], G * p.J_w, 1e-7, "GJ, %s", hobe_section_text(section));
+        check_that(!hobe_element_stiffness(element, C, NULL), "its stiffness");
+        check_relative(C[HOBE_STRETCH][HOBE_STRETCH], E * p.A, 1e-9, "EA, %s",
+                       hobe_section_text(section));
+        check_relative(C[HOBE_BEND_Y][HOBE_BEND_Y], E * p.Iyy, 1e-9, "EIyy, %s",
+                       hobe_section_text(section));
+        check_relative(C[HOBE_BEND_Z][HOBE_BEND_Z], E * p.Izz, 1e-9, "EIzz, %s",
+                       hobe_section_text(section));
+        check_relative(C[HOBE_TWIST][HOBE_TWIST], G * p.J_w, 1e-7, "GJ, %s",
+                       hobe_section_text(section));
         hobe_element_free(element);
     }
     hobe_section_free(section);

@@ -4,7 +4,6 @@
  * into the core (section.h). */
 #include "check.h"
 #include "hobe.h"
-#include "homogeneous.h"
 #include "scene.h"
 #include "section.h"
 
@@ -353,16 +352,16 @@ static void average_factors(void)
             beam.material.average_shear = average;
             const struct hobe_element_options options = {
                 .kernel = beam.kernel, .section = section, .material = beam.material, .length = .1};
-            double C[HOMOGENEOUS][HOMOGENEOUS];
+            double C[HOBE_STRAINS][HOBE_STRAINS];
             hobe_element *element = new_element(&options);
-            homogeneous_stiffness(element, C);
+            check_that(!hobe_element_stiffness(element, C, NULL), "its stiffness");
             hobe_element_free(element);
             const struct tip tip = tip_under_force(&beam);
             hobe_section_free(section);
             for (int a = 0; a < 2; a++)
                 check_relative(tip.shear[a][a] * shear_modulus() * p.A / L, 1 / k, 1e-7,
                                "shear along %c, %s", "yz"[a], beam.kernel->name);
-            check_relative(C[TWIST][TWIST],
+            check_relative(C[HOBE_TWIST][HOBE_TWIST],
                            (average ? 1 : k) * shear_modulus() * (w ? p.J_w : p.Iyy + p.Izz), 1e-9,
                            "torsion, %s, k on the %s", beam.kernel->name,
                            average ? "average" : "points");
