@@ -68,7 +68,6 @@ for i, way in ipairs(ways) do
   local of_u = digits(u, way[2])
   local of_w = not way.L and digits(w, w0) or nil
   rows[i] = { way[1], of_u, of_w, change }
-  x[i], y[i] = i, of_u
   report[string.format("short_%02d", i)] = { math.max(way[3] - math.min(of_u, (of_w or 16) + 2), 0),
                                              "digits", expect = 0 }
 end
@@ -76,8 +75,17 @@ hobe.table{
   title = "Digits that stay the same", rows = rows, file = "roundoff.csv",
   columns = { "", "of displacements", "of frequencies", "change" },
 }
+
+-- Over the distance from the origin, beside the digits that positions there have of a metre.
+local input = {}
+for k = 0, 12 do
+  x[k + 1], y[k + 1] = k, digits(answers{ at = 10^k }, u0)
+  input[k + 1] = 15.95 - k
+end
 hobe.plot{
-  file = "roundoff.png", title = "Digits of displacements that stay the same",
-  xlabel = "row of the table", ylabel = "digits", series = { { x = x, y = y, style = "points" } },
+  file = "roundoff.png", title = "A beam of 1 m far from the origin",
+  xlabel = "log10 of the distance, m", ylabel = "digits",
+  series = { { x = x, y = y, label = "of displacements", style = "linespoints" },
+             { x = x, y = input, label = "of positions to a metre" } },
 }
 hobe.report(report)
