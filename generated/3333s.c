@@ -9,7 +9,7 @@
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 7
+#if HOBE_KERNEL_ABI != 8
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -836,7 +836,7 @@ static const double axis_rule[][2] = {
 
 extern const struct hobe_kernel HOBE_KERNEL(3333s);
 const struct hobe_kernel HOBE_KERNEL(3333s) = {
-    .abi = 7,
+    .abi = 8,
     .name = "3333s",
     .hash = "abcf9e0e56460d5e",
     .source = "Nachbagauer, Gruber & Gerstmayr 2013; Tang, Tian & Hu 2022, Table 7",
@@ -870,6 +870,7 @@ const struct hobe_kernel HOBE_KERNEL(3333s) = {
     .tensor = NULL,
     .tensor_cost = NULL,
     .trilinear = NULL,
+    .gram = NULL,
     .series = NULL,
     .strain = strain,
     .warping_strain = NULL,

@@ -24,7 +24,7 @@
  */
 #include "kernel.h"
 
-#if HOBE_KERNEL_ABI != 7
+#if HOBE_KERNEL_ABI != 8
 #error Regenerate: this file was written for another kernel ABI
 #endif
 
@@ -1760,6 +1760,27 @@ static void trilinear_part(const struct hobe_invariants *inv, const hobe_real *q
     }
 }
 
+/* the Gram entries of b and c in polar form, and w_g Q of them */
+static void gram_part(const struct hobe_invariants *inv, const hobe_real *qb, const hobe_real *qc,
+                      hobe_real *strain, hobe_real *stress)
+{
+    hobe_real x0[3 * V], x[3 * V], B[3 * S], U[3 * S], gamma[GRAMS], Q[GRAMS];
+    gather(qb, x0);
+    gather(qc, x);
+    for (int g = 0; g < inv->stations; g++) {
+        const double *N = inv->N + V * g, *Nx = inv->Nx + V * g;
+        const double *H = inv->section + AXIAL * inv->stations + inv->step * g;
+        polar(N, Nx, x0, x, B, U);
+        column_differences(sectional, B, U, gamma);
+        row_stress(sectional, H, inv->symmetry, gamma, Q);
+        for (int p = 0; p < GRAMS; p++) {
+            const int row = hobe_pair(sectional->pair_t[p], sectional->pair_v[p]);
+            strain[(GRAMS * g + p) * HOBE_PARTS] = gamma[p];
+            stress[(GRAMS * g + p) * HOBE_PARTS] = inv->wx[g] * Q[row];
+        }
+    }
+}
+
 /* T = the rows (I, J) of station g: Q[GRAMS], symmetric[GRAMS][6], skew[GRAMS][3] */
 static void station_rows(const struct hobe_invariants *inv, int g, const hobe_real *x0,
                          const hobe_real *x, hobe_real *X, hobe_real *T)
@@ -2043,6 +2064,14 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
                        (const hobe_real *)c + h, (hobe_real *)f + h);
 }
 
+static void gram(const struct hobe_invariants *inv, const hobe_lanes *b, const hobe_lanes *c,
+                 hobe_lanes *strain, hobe_lanes *stress)
+{
+    for (int h = 0; h < HOBE_PARTS; h++)
+        gram_part(inv, (const hobe_real *)b + h, (const hobe_real *)c + h, (hobe_real *)strain + h,
+                  (hobe_real *)stress + h);
+}
+
 /* What a station keeps of one order of a series: its section vectors D and its stresses Q. */
 enum { KEPT = 3 * S + GRAMS };
 
@@ -2175,7 +2204,7 @@ static const struct hobe_plan_cost tensor_cost[HOBE_SYMMETRIES] = {
 
 extern const struct hobe_kernel HOBE_KERNEL(MGD30d2);
 const struct hobe_kernel HOBE_KERNEL(MGD30d2) = {
-    .abi = 7,
+    .abi = 8,
     .name = "MGD30d2",
     .hash = "306ca0460513a409",
     .source = "this project: MGD30d whose section distorts far, to the second order",
@@ -2209,6 +2238,7 @@ const struct hobe_kernel HOBE_KERNEL(MGD30d2) = {
     .tensor = tensor,
     .tensor_cost = tensor_cost,
     .trilinear = trilinear,
+    .gram = gram,
     .series = series,
     .strain = strain,
     .warping_strain = warping_strain,

@@ -7,7 +7,7 @@ from . import products, section, series, structural, tensor
 from .ir import write
 from .shape import derivative
 
-ABI = 7  # HOBE_KERNEL_ABI of kernel.h
+ABI = 8  # HOBE_KERNEL_ABI of kernel.h
 
 
 def identifier(name):
@@ -23,7 +23,7 @@ def element_file(element, plan):
         parts += [products.STRUCTURE, _plan_tables(element, plan), products.SYMMETRY,
                   products.COEFFICIENTS, tensor.COEFFICIENTS, section.COEFFICIENTS]
     parts += [_function(f) for f in plan.functions]
-    parts += [ENERGY, *([BATCH, TRILINEAR, series.SERIES] if plan.layout else [STRUCTURAL_BATCH]),
+    parts += [ENERGY, *([BATCH, TRILINEAR, GRAM, series.SERIES] if plan.layout else [STRUCTURAL_BATCH]),
               _descriptor(element, plan)]
     return "\n".join(parts)
 
@@ -738,7 +738,18 @@ static void trilinear(const struct hobe_invariants *inv, const hobe_lanes *a, co
 """
 
 
-PLANS_OF = ("symmetry", "section", "section_cost", "tensor", "tensor_cost", "trilinear",
+GRAM = """\
+static void gram(const struct hobe_invariants *inv, const hobe_lanes *b, const hobe_lanes *c,
+                 hobe_lanes *strain, hobe_lanes *stress)
+{
+    for (int h = 0; h < HOBE_PARTS; h++)
+        gram_part(inv, (const hobe_real *)b + h, (const hobe_real *)c + h, (hobe_real *)strain + h,
+                  (hobe_real *)stress + h);
+}
+"""
+
+
+PLANS_OF = ("symmetry", "section", "section_cost", "tensor", "tensor_cost", "trilinear", "gram",
             "series")
 
 

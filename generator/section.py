@@ -75,9 +75,8 @@ def scratch(element, blocks):
 
 def functions():
     """The loop nests, the same for every element."""
-    return (_section_force(), _force_part(), _energy_part(),
-            _polar(), _trilinear_part(), _station_rows(), _even_and_odd(), _nodal_blocks(),
-            _tangent_part())
+    return (_section_force(), _force_part(), _energy_part(), _polar(), _trilinear_part(),
+            _gram_part(), _station_rows(), _even_and_odd(), _nodal_blocks(), _tangent_part())
 
 
 def _section_force():
@@ -168,6 +167,26 @@ def _trilinear_part():
                  *STRESS,
                  Do("section_vectors(N, Nx, xa, B);"),
                  Do("section_force(Q, B, U);"), hand_back("U")),
+        ))
+
+
+def _gram_part():
+    return Function(
+        "gram_part",
+        (INVARIANTS, *given("qb", "qc"), *filled("strain", "stress")),
+        "the Gram entries of b and c in polar form, and w_g Q of them",
+        (
+            ARRAYS,
+            Do("gather(qb, x0);"),
+            Do("gather(qc, x);"),
+            loop("g", "inv->stations", AXIAL, LAW,
+                 Do("polar(N, Nx, x0, x, B, U);"),
+                 *STRESS,
+                 loop("p", "GRAMS",
+                      Do("const int row = hobe_pair(sectional->pair_t[p], sectional->pair_v[p]);",
+                         free=True),
+                      Do("strain[(GRAMS * g + p) * HOBE_PARTS] = gamma[p];", free=True),
+                      Do("stress[(GRAMS * g + p) * HOBE_PARTS] = inv->wx[g] * Q[row];"))),
         ))
 
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "assemble.h"
 
+#include "element.h"
 #include "pattern.h"
+#include "reduction.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -104,7 +106,8 @@ static enum hobe_status open_workspaces(const struct hobe_model *model, struct s
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct hobe_kernel *k = model_beam(model, i)->kernel;
         V = (size_t)k->vectors > V ? (size_t)k->vectors : V;
-        scratch = k->scratch > scratch ? k->scratch : scratch;
+        const size_t more = hobe_element_scratch(k);
+        scratch = more > scratch ? more : scratch;
     }
     const size_t blocks = 9 * V * (V + 1) / 2;
     s->work = hobe_alloc((size_t)s->threads, sizeof *s->work, err);
@@ -146,9 +149,8 @@ void assemble_free(struct schedule *s)
 
 /* ---- one batch ------------------------------------------------------------------------------- */
 
-/* A field of a batch, structure of arrays; spare lanes repeat the last element. */
-static void gather(const struct hobe_model *model, const struct beam *beam,
-                   const struct batch *batch, const double *u, hobe_lanes *to)
+void assemble_gather(const struct hobe_model *model, const struct beam *beam,
+                     const struct batch *batch, const double *u, hobe_lanes *to)
 {
     for (int lane = 0; lane < HOBE_LANES; lane++) {
         const int e = batch->first + (lane < batch->count ? lane : batch->count - 1);
@@ -259,11 +261,10 @@ static void expect_stresses(const struct assembly *a, const struct beam *beam,
                             const struct batch *batch, struct workspace *work)
 {
     const int V = beam->kernel->vectors;
-    gather(a->model, beam, batch, a->v, work->u);
+    assemble_gather(a->model, beam, batch, a->v, work->u);
     for (int k = 0; k < 3 * V; k++)
         work->q0[k] = -work->u[k];
-    beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f,
-                          work->more, work->scratch);
+    hobe_element_batch_tangent(batch->law, work->q0, work->u, work->f, work->more, work->scratch);
     for (int k = 0; k < 9 * hobe_pair(V, 0); k++)
         work->K[k] += work->more[k];
 }
@@ -272,12 +273,11 @@ static void add_batch(const struct assembly *a, const struct beam *beam, const s
                       struct workspace *work)
 {
     const struct hobe_kernel *kernel = beam->kernel;
-    const struct hobe_invariants *inv = hobe_element_invariants(batch->law);
-    gather(a->model, beam, batch, a->u, work->u);
+    assemble_gather(a->model, beam, batch, a->u, work->u);
     if (a->K)
-        kernel->tangent(inv, batch->q0, work->u, work->f, work->K, work->scratch);
+        hobe_element_batch_tangent(batch->law, batch->q0, work->u, work->f, work->K, work->scratch);
     else
-        kernel->force(inv, batch->q0, work->u, work->f, work->scratch);
+        hobe_element_batch_force(batch->law, batch->q0, work->u, work->f, work->scratch);
     scatter_force(a->model, beam, batch, work->f, a->f);
     if (a->K && a->v && kernel->trilinear) /* the energy is quartic */
         expect_stresses(a, beam, batch, work);
@@ -288,6 +288,10 @@ static void add_batch(const struct assembly *a, const struct beam *beam, const s
 void assemble_expecting(const struct hobe_model *model, const double *u, const double *v, double *f,
                         const struct matrix *K)
 {
+    if (model->reduction) {
+        reduction_elastic(model, u, f, K);
+        return;
+    }
     memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
     if (K)
         pattern_clear(model, K);
@@ -303,12 +307,11 @@ static void add_strained(const struct assembly *a, const struct beam *beam,
                          const struct batch *batch, struct workspace *work)
 {
     const struct hobe_kernel *kernel = beam->kernel;
-    gather(a->model, beam, batch, a->u, work->q0);
-    gather(a->model, beam, batch, a->v, work->u);
+    assemble_gather(a->model, beam, batch, a->u, work->q0);
+    assemble_gather(a->model, beam, batch, a->v, work->u);
     for (int k = 0; k < 3 * kernel->vectors; k++)
         work->q0[k] += batch->q0[k] - work->u[k];
-    kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f, work->K,
-                    work->scratch);
+    hobe_element_batch_tangent(batch->law, work->q0, work->u, work->f, work->K, work->scratch);
     scatter_tangent(a->model, beam, batch, work->K, a->K);
 }
 
@@ -325,10 +328,10 @@ static void find_viscous(const struct hobe_model *model, const struct beam *beam
                          const struct workspace *work)
 {
     const struct hobe_kernel *kernel = beam->kernel;
-    gather(model, beam, batch, u, work->q0);
+    assemble_gather(model, beam, batch, u, work->q0);
     for (int k = 0; k < 3 * kernel->vectors; k++)
         work->q0[k] += batch->q0[k];
-    gather(model, beam, batch, v, work->u);
+    assemble_gather(model, beam, batch, v, work->u);
     kernel->trilinear(hobe_element_invariants(batch->law), work->q0, work->q0, work->u, work->f,
                       work->scratch);
     for (int k = 0; k < 3 * kernel->vectors; k++)
@@ -349,8 +352,7 @@ static void add_viscous(const struct assembly *a, const struct beam *beam,
     if (!a->K)
         return;
     memset(work->u, 0, (size_t)(3 * V) * sizeof *work->u);
-    beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f, work->K,
-                          work->scratch);
+    hobe_element_batch_tangent(batch->law, work->q0, work->u, work->f, work->K, work->scratch);
     for (int k = 0; k < 9 * hobe_pair(V, 0); k++)
         work->K[k] *= a->rate * tau;
     scatter_tangent(a->model, beam, batch, work->K, a->K);
@@ -412,6 +414,10 @@ enum hobe_status assemble_series_open(const struct hobe_model *model, int order,
                                       struct series_table *table, struct hobe_error *err)
 {
     size_t size;
+    if (model->reduction)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "method = \"series\" is for whole models; a reduced one is solved by "
+                         "method = \"newton\"");
     table->beam = hobe_alloc(2 * model->beams.count, sizeof *table->beam, err);
     if (!table->beam)
         return HOBE_NO_MEMORY;
@@ -433,7 +439,7 @@ static void add_coefficient(const struct assembly *a, const struct beam *beam,
                             const struct batch *batch, struct workspace *work)
 {
     const long i = beam - model_beam(a->model, 0), b = batch - beam->batch;
-    gather(a->model, beam, batch, a->u, work->u);
+    assemble_gather(a->model, beam, batch, a->u, work->u);
     beam->kernel->series(hobe_element_invariants(batch->law), a->order, batch->q0, work->u,
                          a->table->value + a->table->beam[i] + (size_t)b * a->table->batch[i],
                          work->f);
@@ -457,7 +463,7 @@ double assemble_beam_energy(const struct hobe_model *model, const struct beam *b
     double energy = 0;
     for (int b = 0; b < beam->batches; b++) {
         const struct batch *batch = beam->batch + b;
-        gather(model, beam, batch, u, work->u);
+        assemble_gather(model, beam, batch, u, work->u);
         beam->kernel->energy(hobe_element_invariants(batch->law), batch->q0, work->u, work->f);
         for (int lane = 0; lane < batch->count; lane++)
             energy += work->f[0][lane];
@@ -468,6 +474,8 @@ double assemble_beam_energy(const struct hobe_model *model, const struct beam *b
 double assemble_energy(const struct hobe_model *model, const double *u)
 {
     double energy = 0;
+    if (model->reduction)
+        return reduction_energy(model, u);
     for (size_t i = 0; i < model->beams.count; i++)
         energy += assemble_beam_energy(model, model_beam(model, i), u);
     return energy;
@@ -480,14 +488,14 @@ enum hobe_status assemble_element(const struct hobe_model *model, const struct b
     const struct hobe_kernel *k = beam->kernel;
     const size_t n = 3 * (size_t)k->vectors;
     const struct batch *batch = beam->batch;
-    hobe_lanes *of = hobe_alloc(3 * n + k->scratch, sizeof *of, err);
+    hobe_lanes *of = hobe_alloc(3 * n + hobe_element_scratch(k), sizeof *of, err);
     if (!of)
         return HOBE_NO_MEMORY;
     const struct workspace work = {.q0 = of, .u = of + n, .f = of + 2 * n, .scratch = of + 3 * n};
     while (e >= batch->first + batch->count)
         batch++;
-    gather(model, beam, batch, u, work.u);
-    k->force(hobe_element_invariants(batch->law), batch->q0, work.u, work.f, work.scratch);
+    assemble_gather(model, beam, batch, u, work.u);
+    hobe_element_batch_force(batch->law, batch->q0, work.u, work.f, work.scratch);
     for (size_t i = 0; i < n; i++)
         f[i] = work.f[i][e - batch->first];
     if (v && beam->spec.damping.stiffness > 0) {

@@ -10,6 +10,10 @@
 enum hobe_status assemble_schedule(hobe_model *model, struct hobe_error *err);
 void assemble_free(struct schedule *schedule);
 
+/* to[V][3] = a field u[vectors][3] on a batch of a beam; spare lanes repeat the last element. */
+void assemble_gather(const struct hobe_model *model, const struct beam *beam,
+                     const struct batch *batch, const double *u, hobe_lanes *to);
+
 /* f[vectors][3] = dU/dq of all elements in state u, N; and K the tangent stiffness of the unknowns,
  * unless NULL.  Both overwritten. */
 void assemble(const struct hobe_model *model, const double *u, double *f, const struct matrix *K);

@@ -14,8 +14,9 @@ struct batch {
 };
 
 /* Where the values of a tangent lie: those of a symmetric one in the panels of fronts (fronts.h),
- * of any in compressed columns. */
-enum layout { FRONTS, COLUMNS, LAYOUTS };
+ * of any in compressed columns; and of the vectors that loads and joints touch (struct touched) in
+ * a full matrix, column by column. */
+enum layout { FRONTS, COLUMNS, TOUCHED, LAYOUTS };
 
 struct beam {
     struct hobe_beam spec;

@@ -3,6 +3,7 @@
 
 #include "constraint.h"
 #include "eigen.h"
+#include "reduction.h"
 #include "vector3.h"
 
 #include <stdio.h>
@@ -192,6 +193,7 @@ double body_radius(const struct body *body)
 
 const struct body *model_find_body(const struct hobe_model *model, const char *name)
 {
+    model = model_whole(model);
     for (size_t i = 0; i < model->bodies.count; i++)
         if (!strcmp(model_body(model, i)->spec.name, name))
             return model_body(model, i);

@@ -35,7 +35,7 @@ static const double BEYOND = 10;
 static void loads_at(struct pencil *s)
 {
     memset(s->r, 0, (size_t)(3 * s->model->vectors) * sizeof *s->r);
-    const struct instant instant = solution_instant(s->state);
+    const struct instant instant = solution_instant(s->state, s->model);
     load_subtract(s->model, s->u, &instant, -1, s->r, NULL);
 }
 
@@ -64,7 +64,7 @@ static void stiffen(struct pencil *s, const double *rate, double lambda, double 
 {
     const hobe_model *model = s->model;
     const struct matrix K = {COLUMNS, Ax};
-    const struct instant instant = solution_instant(s->state);
+    const struct instant instant = solution_instant(s->state, s->model);
     const long moving = 3 * model->moving, all = 3 * model->vectors;
     for (long i = 0; i < moving; i++)
         v[i] = step * rate[i];
@@ -131,6 +131,9 @@ static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, ho
 {
     const double lambda = s->state ? s->state->info.load : 0;
     int unstable, found = 0;
+    if (s->model->reduction)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "buckling is for whole models; of a reduced one, follow the path");
     enum hobe_status status = pencil_open(s, "linear buckling", err);
     if (!status)
         status = pencil_choose(s, o, err);

@@ -93,9 +93,8 @@ static void add_state(struct hobe_text *record, const struct run *run, size_t i)
     const struct hobe_energies *energies = hobe_history_energies(run->history, (int)i);
     hobe_text_bytes(record, (const char *)&state->info, sizeof state->info);
     hobe_text_bytes(record, (const char *)energies, sizeof *energies);
-    add_field(record, run, state->u);
-    add_field(record, run, state->v);
-    add_field(record, run, state->w);
+    for (int which = SOLUTION_U; which <= SOLUTION_W; which++)
+        add_field(record, run, solution_field(state, run->g.s.model, which));
 }
 
 enum hobe_status checkpoint_save(struct run *run, struct hobe_error *err)

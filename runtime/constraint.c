@@ -3,6 +3,7 @@
 
 #include "body.h"
 #include "element.h"
+#include "reduction.h"
 #include "vector3.h"
 
 #include <math.h>
@@ -547,11 +548,21 @@ static void add_tie(const struct hobe_model *model, const struct tie *tie, const
     }
 }
 
+static void add_ties(const struct hobe_model *model, const double *u, const struct instant *instant,
+                     double factor, double *f, const struct matrix *K)
+{
+    (void)factor;
+    for (size_t i = 0; i < model->ties.count; i++)
+        add_tie(model, model_tie(model, i), u, instant, f, K);
+}
+
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K)
 {
-    for (size_t i = 0; i < model->ties.count; i++)
-        add_tie(model, model_tie(model, i), u, instant, f, K);
+    if (model_whole(model)->ties.count > 0)
+        reduction_act(model, add_ties, u, instant, 1, f, K);
+    if (model->reduction)
+        reduction_spare(model, u, f, K);
 }
 
 /* ---- their derivatives by time --------------------------------------------------------------- */
@@ -608,15 +619,20 @@ static double derivative(int p, struct constraint c[ORDERS][TIE_CONSTRAINTS], in
 static void differentiate(const struct hobe_model *model, int p, const double *u, const double *v,
                           const struct instant *instant, double *out)
 {
+    const hobe_model *whole = model_whole(model);
     memset(out, 0, (size_t)(3 * model->vectors) * sizeof *out);
-    for (size_t i = 0; i < model->ties.count; i++) {
-        const struct tie *tie = model_tie(model, i);
+    if (model->reduction) {
+        u = reduction_state(model, u);
+        v = v ? reduction_rates(model, v) : NULL;
+    }
+    for (size_t i = 0; i < whole->ties.count; i++) {
+        const struct tie *tie = model_tie(whole, i);
         struct constraint c[ORDERS][TIE_CONSTRAINTS];
         struct rates m;
-        constraints_now(model, tie, instant, c);
+        constraints_now(whole, tie, instant, c);
         read_rates(tie, u, v, &m);
         for (int k = 0; k < tie->constraints; k++)
-            out[3 * tie->multiplier + k] = derivative(p, c, k, &m);
+            out[3 * model_number(model, tie->multiplier) + k] = derivative(p, c, k, &m);
     }
 }
 

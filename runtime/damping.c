@@ -3,6 +3,7 @@
 
 #include "assemble.h"
 #include "mass.h"
+#include "reduction.h"
 #include "spring.h"
 
 #include <math.h>
@@ -12,6 +13,10 @@ void damping_add(const struct hobe_model *model, const double *u, const struct i
 {
     if (!instant->v)
         return;
+    if (model->reduction) {
+        reduction_damping(model, instant, f, K);
+        return;
+    }
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         const double alpha = beam->spec.damping.mass;
@@ -26,7 +31,10 @@ void damping_add(const struct hobe_model *model, const double *u, const struct i
 
 double damping_power(const struct hobe_model *model, const double *u, const double *v)
 {
-    double power = assemble_viscous_power(model, u, v) + spring_power(model, u, v);
+    double power = spring_power(model, u, v);
+    if (model->reduction)
+        return power + reduction_damping_power(model, v);
+    power += assemble_viscous_power(model, u, v);
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         if (beam->spec.damping.mass > 0)

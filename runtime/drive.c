@@ -4,6 +4,8 @@
  * before. */
 #include "drive.h"
 
+#include "reduction.h"
+
 #include "section.h"
 
 #include <math.h>
@@ -290,6 +292,7 @@ void hobe_drive_free(hobe_drive *drive)
 
 const struct hobe_joint *drive_joint(const struct hobe_model *model)
 {
+    model = model_whole(model);
     const struct hobe_joint *joint = model->joints.item;
     for (size_t i = 0; i < model->joints.count; i++)
         if (joint[i].angle || joint[i].position)
@@ -333,6 +336,7 @@ static void stop_at(const hobe_drive *drive, double t, double *next)
 
 double drive_next(const struct hobe_model *model, double t)
 {
+    model = model_whole(model);
     const struct hobe_joint *joint = model->joints.item;
     const struct hobe_force *force = model->forces.item;
     const struct hobe_moment *moment = model->moments.item;

@@ -6,6 +6,7 @@
 #include "constraint.h"
 #include "drive.h"
 #include "mass.h"
+#include "reduction.h"
 #include "solution.h"
 #include "vector3.h"
 
@@ -23,6 +24,9 @@ static const double CLOSED = 1e-8;
 /* A step is tried again where its error is too large, and the next one grows where the error allows
  * a step longer by this at least: each change costs factors. */
 static const double SAFETY = 0.9, SHRINK = 0.3, GROW = 1.5, MOST_GROWTH = 2;
+
+/* Displacements, relative to the scene's size, after which a projection is made again. */
+static const double DEVIATION = 0.1;
 
 /* Steps of one length at least before it grows. */
 enum { PATIENCE = 5 };
@@ -51,16 +55,15 @@ static void move_rigidly(const struct hobe_motion *m, int position, const double
 }
 
 /* Sets the velocities of a beam's vectors, of which those that are held have none. */
-static enum hobe_status set_velocities(struct genalpha *g, const struct hobe_motion *m,
-                                       const struct beam *beam, const double *q,
+static enum hobe_status set_velocities(const hobe_model *model, const struct hobe_motion *m,
+                                       const struct beam *beam, const double *q, double *rate,
                                        struct hobe_error *err)
 {
-    const hobe_model *model = g->s.model;
     for (int e = 0; e < beam->spec.elements; e++)
         for (int v = 0; v < beam->kernel->vectors; v++) {
             const struct hobe_vector *is = beam->kernel->vector + v;
             const long number = model_vector(model, beam, e, v);
-            double *to = g->now.v + 3 * number;
+            double *to = rate + 3 * number;
             move_rigidly(m, is->mode == 0 && !is->slope, q + 3 * number, to);
             if (model->held[number] && length3(to) > 0)
                 return hobe_fail(err, HOBE_BAD_INPUT, m->where,
@@ -73,50 +76,85 @@ static enum hobe_status set_velocities(struct genalpha *g, const struct hobe_mot
     return HOBE_OK;
 }
 
-static void set_body(struct genalpha *g, const struct hobe_motion *m, const struct body *body,
-                     const double *q)
+static void set_body(const struct hobe_motion *m, const struct body *body, const double *q,
+                     double *rate)
 {
     for (long v = body->first; v < body->first + BODY_VECTORS; v++)
-        move_rigidly(m, v == body->first, q + 3 * v, g->now.v + 3 * v);
+        move_rigidly(m, v == body->first, q + 3 * v, rate + 3 * v);
+}
+
+/* rate[vectors][3] = the velocities of a whole model that hobe_motion asks for in state u. */
+static enum hobe_status find_velocities(const hobe_model *model, const double *u, double *rate,
+                                        struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    double *q = hobe_alloc((size_t)(3 * model->vectors), sizeof *q, err);
+    if (!q)
+        return HOBE_NO_MEMORY;
+    model_reference(model, q);
+    for (long i = 0; i < 3 * model->moving; i++)
+        q[i] += u[i];
+    for (size_t i = 0; !status && i < model->motions.count; i++) {
+        const struct hobe_motion *m = (const struct hobe_motion *)model->motions.item + i;
+        struct part only = {NULL, NULL};
+        if (m->beam)
+            status = model_find_part(model, m->beam, m->where, &only, err);
+        for (size_t b = 0; !status && b < model->beams.count; b++)
+            if (!m->beam || only.beam == model_beam(model, b))
+                status = set_velocities(model, m, model_beam(model, b), q, rate, err);
+        for (size_t b = 0; !status && b < model->bodies.count; b++)
+            if (!m->beam || only.body == model_body(model, b))
+                set_body(m, model_body(model, b), q, rate);
+    }
+    hobe_free(q);
+    return status;
+}
+
+/* The same of a reduced model, as far as its basis has them. */
+static enum hobe_status fit_velocities(struct genalpha *g, struct hobe_error *err)
+{
+    const hobe_model *model = g->s.model, *whole = model_whole(model);
+    const size_t size = (size_t)(3 * whole->vectors);
+    double left = 0, *u = hobe_alloc(2 * size, sizeof *u, err);
+    if (!u)
+        return HOBE_NO_MEMORY;
+    reduction_expand(model, g->now.u, 1, u);
+    enum hobe_status status = find_velocities(whole, u, u + size, err);
+    if (!status)
+        status = reduction_fit(model, u + size, g->now.v, &left, err);
+    if (!status && left > MENDED)
+        status = hobe_fail(err, HOBE_BAD_INPUT, ((struct hobe_motion *)whole->motions.item)->where,
+                           "the basis of the reduced model has not the velocities of hobe.motion: "
+                           "%.1e of them is left; reduce with closed = 3, or with more modes",
+                           left);
+    hobe_free(u);
+    return status;
 }
 
 static enum hobe_status set_motions(struct genalpha *g, struct hobe_error *err)
 {
     const hobe_model *model = g->s.model;
-    double *q = g->w;
-    enum hobe_status status = HOBE_OK;
-    model_reference(model, q);
-    for (long i = 0; i < 3 * model->moving; i++)
-        q[i] += g->now.u[i];
-    for (size_t i = 0; !status && i < model->motions.count; i++) {
-        const struct hobe_motion *m = (const struct hobe_motion *)model->motions.item + i;
-        struct part only = {NULL, NULL};
-        if (m->beam && model_find_part(model, m->beam, m->where, &only, err))
-            return HOBE_UNKNOWN;
-        for (size_t b = 0; !status && b < model->beams.count; b++)
-            if (!m->beam || only.beam == model_beam(model, b))
-                status = set_velocities(g, m, model_beam(model, b), q, err);
-        for (size_t b = 0; b < model->bodies.count; b++)
-            if (!m->beam || only.body == model_body(model, b))
-                set_body(g, m, model_body(model, b), q);
-    }
-    return status;
+    if (model_whole(model)->motions.count == 0)
+        return HOBE_OK;
+    return model->reduction ? fit_velocities(g, err)
+                            : find_velocities(model, g->now.u, g->now.v, err);
 }
 
 static enum hobe_status take_start(struct run *run, const hobe_solution *from,
                                    struct hobe_error *err)
 {
     struct genalpha_state *now = &run->g.now;
-    const size_t size = (size_t)(3 * from->model->vectors) * sizeof *now->u;
-    if (from->model != run->g.s.model)
+    const hobe_model *model = run->g.s.model;
+    const size_t size = (size_t)(3 * model->vectors) * sizeof *now->u;
+    if (!solution_is_of(from, model))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "the state to start from belongs to another "
                          "scene");
-    memcpy(now->u, from->u, size);
+    memcpy(now->u, solution_field(from, model, SOLUTION_U), size);
     now->time = from->info.time;
     if (!from->v)
         return set_motions(&run->g, err);
-    memcpy(now->v, from->v, size);
+    memcpy(now->v, solution_field(from, model, SOLUTION_V), size);
     return HOBE_OK;
 }
 
@@ -139,15 +177,16 @@ static enum hobe_status find_start(struct run *run, struct hobe_error *err)
 static enum hobe_status fail_broken(const struct genalpha *g, const double *r, const char *format,
                                     struct hobe_error *err)
 {
-    const hobe_model *model = g->s.model;
+    const hobe_model *model = g->s.model, *whole = model_whole(model);
     const struct tie *worst = NULL;
     double largest = 0;
     char text[400];
-    for (size_t i = 0; i < model->ties.count; i++) {
-        const struct tie *tie = model_tie(model, i);
+    for (size_t i = 0; i < whole->ties.count; i++) {
+        const struct tie *tie = model_tie(whole, i);
+        const double *broken = r + 3 * model_number(model, tie->multiplier);
         for (int k = 0; k < tie->constraints; k++)
-            if (fabs(r[3 * tie->multiplier + k]) > largest) {
-                largest = fabs(r[3 * tie->multiplier + k]);
+            if (fabs(broken[k]) > largest) {
+                largest = fabs(broken[k]);
                 worst = tie;
             }
     }
@@ -192,6 +231,9 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
                          g->now.time, run->options.to);
     g->now.begin = g->now.time;
     status = check_position(g, err);
+    if (status)
+        return status;
+    status = genalpha_confine(g, err);
     if (status)
         return status;
     const double speed = genalpha_norm(g, g->now.v);
@@ -298,6 +340,22 @@ static enum hobe_status advance(struct run *run, double target, struct hobe_erro
     }
 }
 
+/* Finds the modes of a projection again where the scene has moved far enough. */
+static enum hobe_status follow(struct run *run, struct hobe_error *err)
+{
+    struct genalpha *g = &run->g;
+    const struct hobe_projection *how = run->options.projection;
+    double changed;
+    if (!how || how->method != HOBE_PROJECTION_COMPONENTS ||
+        genalpha_deviation(g) <= (how->deviation > 0 ? how->deviation : DEVIATION))
+        return HOBE_OK;
+    enum hobe_status status = genalpha_confine(g, err);
+    if (!status)
+        status = settle(g, &changed, err);
+    account_begin(&run->account, g);
+    return status;
+}
+
 /* Takes the step that was found. */
 static void take(struct run *run, double target)
 {
@@ -356,6 +414,8 @@ static enum hobe_status move_to_stop(struct run *run, struct hobe_error *err)
             status = history_keep(run->history, &run->g, &run->account, run->started, err);
         if (!status)
             status = grow(run, target, err);
+        if (!status)
+            status = follow(run, err);
         if (!status && run->history->info.steps % MARKED == 0)
             status = checkpoint_save(run, err);
     }
@@ -388,6 +448,10 @@ static enum hobe_status check_options(const struct hobe_dynamic *o, struct hobe_
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a motion needs a finite end and step, and rho up to 1, got %g, %g and %g",
                          o->to, o->step, o->rho);
+    if (o->projection && o->journal)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a motion with a projection cannot be taken up from a journal; leave one "
+                         "of them out");
     return HOBE_OK;
 }
 
@@ -424,6 +488,8 @@ static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_
         status = move(run, err);
     run->history->info.time = run->g.now.time;
     run->history->info.iterations = run->g.s.info.iterations;
+    run->history->info.projected = run->g.s.space.count;
+    run->history->info.linearisations = run->g.s.info.linearisations;
     run->history->info.factorisations = run->g.s.info.factorisations;
     run->history->info.seconds = hobe_seconds() - run->started;
     return status;
@@ -439,6 +505,8 @@ enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *opti
         status = check_options(options, err);
     if (!status)
         status = mass_check(model, "motion in time", NULL, err);
+    if (!status && model->reduction)
+        status = reduction_check_motion(model, err);
     if (status)
         return status;
     run.started = hobe_seconds();

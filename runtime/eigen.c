@@ -2,11 +2,15 @@
 #include "eigen.h"
 
 #include <arpack.h>
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-/* LAPACK: eigenvalues of a symmetric matrix; of any; of a pencil with a definite matrix; L D L'
- * factors. */
+/* BLAS: products of matrices.  LAPACK: eigenvalues of a symmetric matrix; of any; of a pencil with
+ * a definite matrix; L D L' factors; L U factors and what they solve. */
+extern void dgemm_(const char *turn_a, const char *turn_b, const int *m, const int *n, const int *k,
+                   const double *alpha, const double *A, const int *lda, const double *B,
+                   const int *ldb, const double *beta, double *C, const int *ldc);
 extern void dsyev_(const char *job, const char *triangle, const int *n, double *A, const int *lda,
                    double *w, double *work, const int *lwork, int *info);
 extern void dgeev_(const char *left, const char *right, const int *n, double *A, const int *lda,
@@ -17,6 +21,9 @@ extern void dsygvd_(const int *type, const char *job, const char *triangle, cons
                     const int *lwork, int *iwork, const int *liwork, int *info);
 extern void dsytrf_(const char *triangle, const int *n, double *A, const int *lda, int *pivot,
                     double *work, const int *lwork, int *info);
+extern void dgetrf_(const int *m, const int *n, double *A, const int *lda, int *pivot, int *info);
+extern void dgetrs_(const char *transposed, const int *n, const int *sides, const double *LU,
+                    const int *lda, const int *pivot, double *B, const int *ldb, int *info);
 
 /* OpenBLAS: threads, which the small matrices here only wait for.  Other BLAS have no such call. */
 extern void openblas_set_num_threads(int threads) __attribute__((weak));
@@ -122,6 +129,47 @@ enum hobe_status eigen_general(int n, double *A, double *re, double *im, double 
     dgeev_("N", "V", &n, A, &n, re, im, NULL, &n, Z, &n, work, &lwork, &info);
     hobe_free(work);
     return info ? fail_to_converge(n, err) : HOBE_OK;
+}
+
+/* After scaling, pivots of a sound matrix stay above this share of the largest. */
+static const double NO_PIVOT = 1e-17;
+
+enum hobe_status eigen_factor(int n, double *A, int *pivot, struct hobe_error *err)
+{
+    double smallest = INFINITY, largest = 0;
+    int info;
+    use_one_thread();
+    dgetrf_(&n, &n, A, &n, pivot, &info);
+    for (size_t i = 0; i < (size_t)n; i++) {
+        const double size = fabs(A[i * (size_t)n + i]);
+        smallest = fmin(smallest, size);
+        largest = fmax(largest, size);
+    }
+    if (info || !(smallest > NO_PIVOT * largest))
+        return hobe_fail(err, HOBE_SINGULAR, NULL,
+                         "a dense matrix of %d unknowns is singular (pivots from %.1e to %.1e)", n,
+                         smallest, largest);
+    return HOBE_OK;
+}
+
+void eigen_divide(int n, const double *LU, const int *pivot, double *x)
+{
+    const int one = 1;
+    int info;
+    dgetrs_("N", &n, &one, LU, &n, pivot, x, &n, &info);
+}
+
+void eigen_add_product(int n, int k, const double *X, const double *Y, double *A)
+{
+    enum { WIDE = 64 }; /* columns at a time: few of the products above the diagonal */
+    const double one = 1;
+    use_one_thread();
+    for (int i = 0; i < n; i += WIDE) {
+        const int wide = n - i < WIDE ? n - i : WIDE, tall = n - i;
+        const size_t at = (size_t)i * (size_t)k;
+        dgemm_("T", "N", &wide, &tall, &k, &one, Y + at, &k, X + at, &k, &one,
+               A + (size_t)i * (size_t)n + i, &n);
+    }
 }
 
 /* ---- Lanczos -------------------------------------------------------------------------------- */

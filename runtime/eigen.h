@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Eigenproblems.  The only room that talks to LAPACK and ARPACK. */
+/* Eigenproblems, and products of dense matrices.  The only room that talks to BLAS, LAPACK and
+ * ARPACK. */
 #ifndef HOBE_EIGEN_H
 #define HOBE_EIGEN_H
 
@@ -22,6 +23,16 @@ enum hobe_status eigen_dense(int n, double *M, double *K, double *nu, int *defin
  * part of the first one's. */
 enum hobe_status eigen_general(int n, double *A, double *re, double *im, double *Z,
                                struct hobe_error *err);
+
+/* L U factors with row pivots, pivot[n], of a dense matrix given by its columns A[n][n], in its
+ * place; and x[n] = its inverse times x by them.  HOBE_SINGULAR where the pivots, whose matrix
+ * should be scaled, differ by what rounding leaves of nothing. */
+enum hobe_status eigen_factor(int n, double *A, int *pivot, struct hobe_error *err);
+void eigen_divide(int n, const double *LU, const int *pivot, double *x);
+
+/* A[n][n] += X Y' of X, Y[n][k], where that is symmetric: its lower triangle; what is above its
+ * diagonal is undefined. */
+void eigen_add_product(int n, int k, const double *X, const double *Y, double *A);
 
 /* A pencil of n unknowns as functions: y = M x; x = K^-1 x; and y = B x, B the matrix of the inner
  * product: K, where it is positive definite, or, where that is NULL, M, positive semidefinite. */

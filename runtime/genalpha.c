@@ -4,6 +4,7 @@
 #include "constraint.h"
 #include "mass.h"
 #include "pattern.h"
+#include "reduction.h"
 #include "vector3.h"
 
 #include <float.h>
@@ -40,36 +41,16 @@ static void set_parameters(struct genalpha *g, double rho)
 /* Constraints without `turn` are lengths. */
 static void set_weights(struct genalpha *g)
 {
-    const hobe_model *model = g->s.model;
-    for (size_t i = 0; i < model->ties.count; i++) {
-        const struct tie *tie = model_tie(model, i);
+    const hobe_model *model = g->s.model, *whole = model_whole(model);
+    for (size_t i = 0; i < whole->ties.count; i++) {
+        const struct tie *tie = model_tie(whole, i);
         for (int k = 0; k < tie->constraints; k++) {
             int turns = 0;
             for (int j = 0; j < 9; j++)
                 turns |= tie->constraint[k].turn[j / 3][j % 3] != 0;
-            g->weight[3 * tie->multiplier + k] = turns ? 1 : 1 / g->size;
+            g->weight[3 * model_number(model, tie->multiplier) + k] = turns ? 1 : 1 / g->size;
         }
     }
-}
-
-/* The mass and the radius of gyration about the mass centre, sections included, of the reference.
- */
-static void measure(struct genalpha *g)
-{
-    const hobe_model *model = g->s.model;
-    double *q = g->v, *one = g->w;
-    model_reference(model, q);
-    mass_translation(model, 0, one);
-    g->mass = mass_product(model, one, one);
-    for (int a = 0; a < 3; a++) {
-        mass_translation(model, a, one);
-        const double centre = mass_product(model, q, one) / g->mass;
-        for (long i = a; i < 3 * model->vectors; i += 3)
-            q[i] -= centre * one[i];
-    }
-    g->size = genalpha_norm(g, q);
-    memset(q, 0, (size_t)(3 * model->vectors) * sizeof *q);
-    memset(one, 0, (size_t)(3 * model->vectors) * sizeof *one);
 }
 
 enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
@@ -81,27 +62,30 @@ enum hobe_status genalpha_open(struct genalpha *g, hobe_model *model,
                                                                          : DEFAULT_ITERATIONS,
                            .full_newton = options->full_newton};
     set_parameters(g, options->rho > 0 ? options->rho : DEFAULT_RHO);
-    enum hobe_status status = solver_open(&g->s, model, &(struct hobe_newton){0}, err);
+    enum hobe_status status =
+        solver_open(&g->s, model, &(struct hobe_newton){.projection = options->projection}, err);
     if (!status && model->spun) /* Coriolis' force has a skew matrix */
         status = solver_use_columns(&g->s, err);
     if (status)
         return status;
-    double **field[] = {&g->now.u, &g->now.v, &g->now.w, &g->now.a, &g->v,
-                        &g->w,     &g->a,     &g->force, &g->weight};
+    double **field[] = {&g->now.u, &g->now.v, &g->now.w, &g->now.a,  &g->v,
+                        &g->w,     &g->a,     &g->force, &g->weight, &g->turned};
     for (size_t i = 0; i < sizeof field / sizeof *field; i++) {
         *field[i] = hobe_alloc((size_t)(3 * model->vectors), sizeof(double), err);
         if (!*field[i])
             return HOBE_NO_MEMORY;
     }
-    measure(g);
+    status = mass_measure(model, &g->mass, &g->size, err);
+    if (status)
+        return status;
     set_weights(g);
     return solver_keep_mass(&g->s, err);
 }
 
 void genalpha_close(struct genalpha *g)
 {
-    double *const field[] = {g->now.u, g->now.v, g->now.w, g->now.a, g->v,
-                             g->w,     g->a,     g->force, g->weight};
+    double *const field[] = {g->now.u, g->now.v, g->now.w, g->now.a,  g->v,
+                             g->w,     g->a,     g->force, g->weight, g->turned};
     for (size_t i = 0; i < sizeof field / sizeof *field; i++)
         hobe_free(field[i]);
     solver_close(&g->s);
@@ -120,6 +104,22 @@ double genalpha_violation(const struct genalpha *g, const double *r)
 double genalpha_norm(const struct genalpha *g, const double *x)
 {
     return sqrt(fmax(0, mass_product(g->s.model, x, x)) / g->mass);
+}
+
+double genalpha_deviation(struct genalpha *g)
+{
+    for (long i = 0; i < 3 * g->s.model->moving; i++)
+        g->force[i] = g->now.u[i] - g->turned[i];
+    return genalpha_norm(g, g->force) / g->size;
+}
+
+enum hobe_status genalpha_confine(struct genalpha *g, struct hobe_error *err)
+{
+    const size_t size = (size_t)(3 * g->s.model->vectors) * sizeof *g->turned;
+    memcpy(g->s.u, g->now.u, size);
+    memcpy(g->turned, g->now.u, size);
+    genalpha_forget(g);
+    return solver_confine(&g->s, 1, err);
 }
 
 double genalpha_acceleration(const struct genalpha *g)

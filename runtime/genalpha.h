@@ -34,6 +34,7 @@ struct genalpha {
     struct genalpha_state now;
     double *v, *w, *a;  /* [vectors][3] at the end of the step */
     double *force;      /* [vectors][3] M w there, N */
+    double *turned;     /* [vectors][3] displacements about which corrections are confined */
     double *weight;     /* [vectors][3] of Phi on the multipliers: 1/size of lengths, 1 of angles */
     double mass, size;  /* kg; the scene's extent in the mass norm, m */
     int inert;          /* how the step is predicted */
@@ -56,6 +57,12 @@ int genalpha_choose_step(struct genalpha *g, double target, double longest);
 
 /* Tries a step from now: CONVERGED, FAILED with g->reason, ERROR. */
 enum outcome genalpha_step(struct genalpha *g, struct hobe_error *err);
+
+/* Confines corrections to what a projection makes of the state now, whose velocities settle then
+ * takes into that space; and how far the scene has moved since, in the mass norm, relative to its
+ * size. */
+enum hobe_status genalpha_confine(struct genalpha *g, struct hobe_error *err);
+double genalpha_deviation(struct genalpha *g);
 
 /* |x|_M / sqrt(m) of a field, in the field's unit. */
 double genalpha_norm(const struct genalpha *g, const double *x);

@@ -14,6 +14,7 @@
 
 #include "eigen.h"
 #include "mass.h"
+#include "reduction.h"
 #include "vector3.h"
 
 #include <math.h>
@@ -58,12 +59,12 @@ struct hobe_modal_options gyroscopic_basis(const struct pencil *s,
 static void multiply_gyroscopic(struct gyroscopic *g, const double *x, double *y)
 {
     const hobe_model *model = g->s->model;
-    double *field = g->field;
-    modes_spread(g->s, x, g->force);
-    for (long v = 0; v < model->vectors; v++)
-        cross3(g->w, g->force + 3 * v, field + 3 * v);
-    memset(g->force, 0, (size_t)(3 * model->vectors) * sizeof *field);
-    mass_force(model, 2, field, g->force);
+    const double *w = g->w;
+    const double A[3][3] = {
+        {0, -2 * w[2], 2 * w[1]}, {2 * w[2], 0, -2 * w[0]}, {-2 * w[1], 2 * w[0], 0}};
+    modes_spread(g->s, x, g->field);
+    memset(g->force, 0, (size_t)(3 * model->vectors) * sizeof *g->force);
+    mass_force_through(model, A, g->field, g->force);
     for (long v = 0; v < model->vectors; v++)
         for (int a = 0; a < 3 && model->unknown[v] >= 0; a++) {
             const long k = 3 * model->unknown[v] + a;
@@ -387,12 +388,12 @@ static enum hobe_status converge(struct gyroscopic *g, struct hobe_error *err)
  * nearly equal ones. */
 static void write_shape(struct gyroscopic *g, int i, double *real, double *imaginary)
 {
-    const hobe_model *model = g->s->model;
+    const hobe_model *model = model_whole(g->s->model);
     double norm2 = 0, largest[2] = {1, 0}, most = 0;
     for (int part = 0; part < 2; part++) {
         combine(g, g->V, g->c + (2 * i + part) * g->count, g->x);
         norm2 += mass_norm2(g, g->x);
-        modes_spread(g->s, g->x, part ? imaginary : real);
+        modes_expand(g->s, g->x, part ? imaginary : real);
     }
     for (long k = 0; k < 3 * model->beam_vectors; k++)
         if (hypot(real[k], imaginary[k]) > (1 + 1e-6) * most) {
@@ -434,7 +435,7 @@ static void write_note(hobe_modes *modes, int negative)
 static hobe_modes *take(struct gyroscopic *g, const struct hobe_modal_options *o, int negative,
                         struct hobe_error *err)
 {
-    const size_t size = (size_t)(3 * g->s->model->vectors), count = (size_t)g->wanted;
+    const size_t size = (size_t)(3 * model_whole(g->s->model)->vectors), count = (size_t)g->wanted;
     hobe_modes *modes = modes_new(g->s, g->wanted, o->method, err);
     if (!modes)
         return NULL;

@@ -6,6 +6,7 @@
 #include "damping.h"
 #include "load.h"
 #include "mass.h"
+#include "reduction.h"
 #include "solution.h"
 #include "spring.h"
 #include "vector3.h"
@@ -83,6 +84,10 @@ static void sum_momenta(struct genalpha *g, struct hobe_energies *e)
 {
     const hobe_model *model = g->s.model;
     double *q = g->w, *p = g->force;
+    if (model->reduction) {
+        reduction_momenta(model, g->now.u, g->now.v, e->momentum, e->angular_momentum);
+        return;
+    }
     memset(p, 0, (size_t)(3 * model->vectors) * sizeof *p);
     mass_force(model, 1, g->now.v, p);
     for (int a = 0; a < 3; a++) {

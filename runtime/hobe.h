@@ -681,6 +681,29 @@ enum hobe_method {
 
 typedef struct hobe_solution hobe_solution;
 
+/* A solver that looks for its corrections among few fields only (Galerkin's method): the residual
+ * of the full model is projected on them, and what they cannot see of it stays.  Forces and
+ * matrices are those of the full model, so that this takes longer than the full solution: it shows
+ * what such fields can do. */
+enum hobe_projection_method {
+    HOBE_PROJECTION_COMPONENTS, /* constraint modes and fixed-interface normal modes of the tangent
+                                  stiffness (component_modes.h), found again where the scene moves:
+                                  at each load step, or in motion by `deviation` */
+    HOBE_PROJECTION_SNAPSHOTS   /* the main directions of states that are given (proper orthogonal
+                                  decomposition, Sirovich 1987), for good */
+};
+
+struct hobe_projection {
+    enum hobe_projection_method method;
+    int modes;        /* how many; of snapshots 0: as many as `accuracy` asks for */
+    double deviation; /* of components in motion: displacements, relative to the scene's size in
+                         the norm of the mass, after which modes are found again; 0: 0.1 */
+    double accuracy;  /* of snapshots: the share of them, in the norm of the scaled displacements,
+                         that may be left out; 0: 1e-6 */
+    const hobe_solution *const *snapshot; /* [snapshots] of the model or of one of the same shape */
+    int snapshots;
+};
+
 struct hobe_newton {
     enum hobe_method method;
     const hobe_solution *start; /* where hobe_static begins, at the full load: an equilibrium of the
@@ -691,6 +714,9 @@ struct hobe_newton {
     double tolerance;           /* on `residual`; 0: 1e-9 */
     double smallest_step;       /* of the load factor, below which the solve is given up; 0: 1e-4 */
     int no_line_search;
+    const struct hobe_projection *projection; /* NULL: none; not by series */
+    int linear;  /* 1: the linear response to the loads instead, one correction from the reference,
+                    whose residual tells how far from equilibrium that is; not by series */
     double time; /* s, at which drives and histories are taken, >= 0; the motion of drives is scaled
                     by the load factor, too */
     void (*log)(void *context, const struct hobe_iteration *iteration); /* may be NULL */
@@ -710,8 +736,13 @@ struct hobe_solution_info {
                         stiffness at rest; it is taken, and round-off leaves less than that open (by
                         series, which leave it, so much); NaN where the stiffness has no factors */
     double energy;   /* strain energy, that of springs included, J */
+    long projected;  /* unknowns of a projection, multipliers included; 0: none */
+    int linearisations; /* how often its modes were found */
+    double outside;     /* residual of the full model, most of which a projection does not see */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
+    double indicator;    /* of a reduced model: what its displacements may lack of those of the
+                            whole one, relative to their size; 0 of whole models; NaN: not asked */
     double seconds;      /* in the verb so far, without set-up */
 };
 
@@ -815,8 +846,9 @@ struct hobe_dynamic {
                            iterations and steps, as long as they converge fast enough */
     double smallest_step; /* below which a motion that needs accuracy is given up, s; 0: 1e-9 of
                              the time to go */
-    int equilibrium;      /* 1: it starts from the static equilibrium under the loads of t = 0; 0:
-                             from the reference; with the velocities of hobe_motion */
+    const struct hobe_projection *projection; /* NULL: none; without a journal */
+    int equilibrium; /* 1: it starts from the static equilibrium under the loads of t = 0; 0:
+                        from the reference; with the velocities of hobe_motion */
     const hobe_solution *start; /* or from this state of the model: an equilibrium, at t = 0, or one
                                    of an earlier motion, at its time with its velocities */
     void (*log)(void *context, const struct hobe_time_step *step); /* may be NULL */
@@ -834,7 +866,9 @@ struct hobe_history_info {
     long factorisations;
     double time;                        /* reached, s */
     double smallest_step, largest_step; /* taken, s */
-    double seconds;                     /* in hobe_dynamic without set-up */
+    long projected;     /* unknowns of a projection, multipliers included; 0: none */
+    int linearisations; /* how often its modes were found */
+    double seconds;     /* in hobe_dynamic without set-up */
 };
 
 /* The motion of a model under its loads, all of them on: M w + F(q) + Phi_q' lambda = Q(q, v, t),
@@ -1142,5 +1176,71 @@ enum hobe_status hobe_buckling(hobe_model *model, const hobe_solution *state,
 
 /* The i-th critical load factor; NaN where there is none. */
 double hobe_modes_factor(const hobe_modes *modes, int i);
+
+/* ---- reduced models (reduction.c, basis.c, quartic.c) ----------------------------------------
+ */
+
+/* A basis of displacements of a model, and its strain energy on it:
+ *
+ *     u = u_c + sum_j q_j phi_j,     U(q) a polynomial of fourth degree, exact,
+ *
+ * phi_j fields on all nodal vectors of the beams.  What is held in the model is held in all of
+ * them; joints, springs, bodies, masses and loads act as they do on the whole model. */
+typedef struct hobe_reduced hobe_reduced;
+
+enum hobe_reduce_method {
+    HOBE_REDUCE_SERIES, /* derivatives of the paths under the loads, of higher and higher order */
+    HOBE_REDUCE_MODES,  /* lowest vibration modes, static responses, and their derivatives */
+    HOBE_REDUCE_FIELDS  /* the fields that are given, dependent ones left out */
+};
+
+struct hobe_reduce {
+    enum hobe_reduce_method method;
+    int modes;       /* unknowns q, at most; 0: as many as accuracy needs, or 12 */
+    double accuracy; /* relative, of the displacements under the loads of interest: so many fields,
+                        and what they lack there besides; hobe_static refuses what is less accurate
+                        under others (HOBE_NOT_CONVERGED).  0: modes say */
+    const hobe_solution *centre; /* u_c: a state of the model, copied; NULL: the reference */
+    int closed; /* 0; 3: with each field its components along all axes, so that any rotation of the
+                   whole is in the basis; 2: those along the axes of a plane */
+    double normal[3];         /* of that plane */
+    hobe_model *const *loads; /* [load_count] models of the same beams and supports whose loads are
+                                 of interest beside those of the model */
+    int load_count;
+    const double *field; /* [fields][vectors][3] of HOBE_REDUCE_FIELDS, m */
+    int fields;
+};
+
+struct hobe_reduced_info {
+    enum hobe_reduce_method method;
+    int unknowns;   /* q */
+    int closed;     /* as in hobe_reduce */
+    long whole;     /* unknowns of the model */
+    double accuracy; /* that was asked for, or 0 */
+    double seconds; /* offline: basis and energy; of one that was read, to read it */
+};
+
+/* Makes the basis and the energy on it.  HOBE_BAD_INPUT for elements whose energy is not quartic,
+ * and options that make no basis.  On success *reduced is owned by the caller and refers to the
+ * model, which must outlive it. */
+enum hobe_status hobe_reduce(hobe_model *model, const struct hobe_reduce *options,
+                             hobe_reduced **reduced, struct hobe_error *err);
+void hobe_reduced_free(hobe_reduced *reduced);
+void hobe_reduced_info(const hobe_reduced *reduced, struct hobe_reduced_info *info);
+
+/* A model for hobe_static, hobe_path_follow, hobe_modal and hobe_dynamic whose unknowns are q: the
+ * reduced form of `model`, which has the beams and supports of the one that the basis was made of,
+ * or is it, and its own loads.  Solutions are handed out as such of `model`, expanded.
+ * HOBE_BAD_INPUT where the beams or supports differ.  On success *small is owned by the caller and
+ * refers to both, which must outlive it. */
+enum hobe_status hobe_reduced_model(const hobe_reduced *reduced, hobe_model *model,
+                                    hobe_model **small, struct hobe_error *err);
+
+/* The basis as bytes, for a file, in *bytes, which the caller frees by hobe_free; and from such,
+ * for the model it was made of.  HOBE_BAD_INPUT where the bytes are damaged or of another model. */
+enum hobe_status hobe_reduced_write(const hobe_reduced *reduced, void **bytes, size_t *size,
+                                    struct hobe_error *err);
+enum hobe_status hobe_reduced_read(hobe_model *model, const void *bytes, size_t size,
+                                   hobe_reduced **reduced, struct hobe_error *err);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "constraint.h"
 #include "eigen.h"
+#include "reduction.h"
 
 #include <string.h>
 
@@ -11,8 +12,10 @@ static const double MOST_NUMBERS = 2e7;
 
 long inertia_multipliers(const struct hobe_model *model, long *spare)
 {
+    const struct reduction *r = model->reduction;
     long multipliers = 0;
-    *spare = 0;
+    *spare = r ? 3 * r->blocks - r->n : 0;
+    model = model_whole(model);
     for (size_t i = 0; i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         if (!model->held[tie->multiplier]) {
@@ -98,7 +101,7 @@ enum hobe_status inertia_behind_ties(struct hobe_model *model, double *Ax, const
     long rows = 0, column, positive = 0, spare;
     const long all = inertia_multipliers(model, &spare);
     *negative = -1;
-    if ((double)all * (double)n > MOST_NUMBERS)
+    if ((double)all * (double)n > MOST_NUMBERS || model->reduction)
         return HOBE_OK;
     double *G = hobe_alloc((size_t)(all * n), sizeof *G, err);
     if (!G)

@@ -45,7 +45,7 @@
 #include <stddef.h>
 
 /* Raised whenever anything below changes its meaning; generated files check it. */
-#define HOBE_KERNEL_ABI 7
+#define HOBE_KERNEL_ABI 8
 
 enum {
     HOBE_LANES = 8,          /* elements in a batch */
@@ -227,7 +227,7 @@ struct hobe_kernel {
 
     /* Fill inv->section and inv->tensor, given by the caller with inv->symmetry and inv->step, from
      * the rest of inv, which for the tensor has one block; inv->symmetry may leave out what
-     * kernel->symmetry says.  Energy, force, tangent and trilinear need the first. */
+     * kernel->symmetry says.  Energy, force, tangent, trilinear and gram need the first. */
     void (*section)(const struct hobe_invariants *inv);
     void (*tensor)(const struct hobe_invariants *inv);
 
@@ -248,11 +248,23 @@ struct hobe_kernel {
                     hobe_lanes *f, hobe_lanes *K, hobe_lanes *scratch);
 
     /* The cubic force in multilinear form: f = T(a; b, c), linear in each and symmetric in b, c,
-     * so that force(q) = T(q; q, q) - T(q; q0, q0).  Reduced models start here.
+     * so that force(q) = T(q; q, q) - T(q; q0, q0).
      * Arguments as in force, absolute positions up to a common translation of each.  NULL where the
      * energy is not quartic ("structural"). */
     void (*trilinear)(const struct hobe_invariants *inv, const hobe_lanes *a, const hobe_lanes *b,
                       const hobe_lanes *c, hobe_lanes *f, hobe_lanes *scratch);
+
+    /* The same by strains: of b and c, as above, the bilinear form of the Gram entries at every
+     * station, strain[stations][normals + shears][HOBE_LANES] in an order of the kernel's own, and
+     * stress = w Q strain, of the same shape.  Then
+     *
+     *     T(a; b, c).d = 2 sum strain(a, d) stress(b, c),
+     *     energy(q) = 1/2 sum strain stress  of b = q + q0, c = u,
+     *
+     * and what many such sums share is found once.  Reduced models start here.  NULL where the
+     * energy is not quartic ("structural"). */
+    void (*gram)(const struct hobe_invariants *inv, const hobe_lanes *b, const hobe_lanes *c,
+                 hobe_lanes *strain, hobe_lanes *stress);
 
     /* The force along a power series, q(a) = q0 + u_0 + a u_1 + a^2 u_2 + ...: to be called with
      * k = 1, 2, ... and u = u_(k-1), and gives the coefficient of a^k without the part of u_k

@@ -7,6 +7,7 @@
 #include "element.h"
 #include "mass.h"
 #include "point_mass.h"
+#include "reduction.h"
 #include "spin.h"
 #include "taylor.h"
 #include "vector3.h"
@@ -388,6 +389,10 @@ static void add_weight(const struct hobe_model *model, const struct beam *beam, 
 /* The same of all elements, bodies and masses. */
 static void add_weights(const struct hobe_model *model, const double g[3], double factor, double *f)
 {
+    if (model->reduction) {
+        reduction_weights(model, g, factor, f);
+        return;
+    }
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             add_weight(model, model_beam(model, i), e, g, factor, f);
@@ -412,11 +417,21 @@ static enum hobe_status build_gravity(struct hobe_model *model, struct hobe_erro
 enum hobe_status load_at(const struct hobe_model *model, const char *beam, double at,
                          const double F[3], const char *where, double *r, struct hobe_error *err)
 {
+    const hobe_model *whole = model_whole(model);
     struct station s;
-    if (!model_find_beam(model, beam, where, err))
+    if (!model_find_beam(whole, beam, where, err))
         return HOBE_UNKNOWN;
-    find_station(model, beam, at, NULL, NULL, &s);
-    add_force(model, &s, 0, F, 1, r);
+    find_station(whole, beam, at, NULL, NULL, &s);
+    if (whole == model) {
+        add_force(model, &s, 0, F, 1, r);
+        return HOBE_OK;
+    }
+    double *field = hobe_alloc((size_t)(3 * whole->vectors), sizeof *field, err);
+    if (!field)
+        return HOBE_NO_MEMORY;
+    add_force(whole, &s, 0, F, 1, field);
+    reduction_project(model, 1, field, r);
+    hobe_free(field);
     return HOBE_OK;
 }
 
@@ -432,6 +447,7 @@ static enum hobe_status check_part(const struct hobe_model *model, const char *n
 
 const struct hobe_force *load_follower(const struct hobe_model *model)
 {
+    model = model_whole(model);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         if (force->follower || force->function)
@@ -440,10 +456,36 @@ const struct hobe_force *load_follower(const struct hobe_model *model)
     return NULL;
 }
 
+static void touch(const struct hobe_model *model, const struct station *s, int from, int to,
+                  unsigned char *touched)
+{
+    for (int of = from; of <= to; of++)
+        for (int v = 0; v < s->vectors; v++)
+            if (s->weight[of][v] != 0)
+                touched[station_vector(model, s, v)] = 1;
+}
+
 /* Whether the force is the same in any state at any time, and so part of model->dead. */
 static int is_constant(const struct hobe_force *force)
 {
     return !force->follower && !force->function && !force->history;
+}
+
+void load_touch(const struct hobe_model *model, int dead, unsigned char *touched)
+{
+    struct station s;
+    for (size_t i = 0; i < model->forces.count; i++) {
+        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        if (!dead && is_constant(force))
+            continue;
+        find_station(model, force->beam, force->at, force_point(force), NULL, &s);
+        touch(model, &s, 0, force->follower || force->function ? 2 : 0, touched);
+    }
+    for (size_t i = 0; i < model->moments.count; i++) {
+        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
+        find_station(model, moment->beam, moment->at, NULL, NULL, &s);
+        touch(model, &s, 1, 2, touched);
+    }
 }
 
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
@@ -467,17 +509,11 @@ enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
     return status ? status : spin_build(model, err);
 }
 
-void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
-                   double factor, double *r, const struct matrix *K)
+/* Those at places: forces that are not constant, and moments. */
+static void subtract_placed(const struct hobe_model *model, const double *u,
+                            const struct instant *instant, double factor, double *r,
+                            const struct matrix *K)
 {
-    double g[3];
-    if (factor == 0) /* functions that fail would make it NaN */
-        return;
-    for (long i = 0; i < 3 * model->vectors; i++)
-        r[i] -= factor * model->dead[i];
-    changing_gravity(model, instant, g);
-    if (model->gravities.count > 0)
-        add_weights(model, g, -factor, r);
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
         if (!is_constant(force))
@@ -486,6 +522,22 @@ void load_subtract(const struct hobe_model *model, const double *u, const struct
     for (size_t i = 0; i < model->moments.count; i++)
         subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, instant,
                         factor, r, K);
+}
+
+void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
+                   double factor, double *r, const struct matrix *K)
+{
+    const hobe_model *whole = model_whole(model);
+    double g[3];
+    if (factor == 0) /* functions that fail would make it NaN */
+        return;
+    for (long i = 0; i < 3 * model->vectors; i++)
+        r[i] -= factor * model->dead[i];
+    changing_gravity(whole, instant, g);
+    if (whole->gravities.count > 0)
+        add_weights(model, g, -factor, r);
+    if (whole->forces.count + whole->moments.count > 0)
+        reduction_act(model, subtract_placed, u, instant, factor, r, K);
     spin_subtract(model, u, instant, factor, r, K);
 }
 

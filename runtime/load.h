@@ -26,6 +26,10 @@ void load_series(const struct hobe_model *model, const double *const *u,
 void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
                  double factor, const struct beam *beam, int e, double *f);
 
+/* Marks the vectors whose forces or stiffness of loads depend on the state or on time, where `dead`
+ * also those of forces that do not, but for weights and spins: touched[vectors]. */
+void load_touch(const struct hobe_model *model, int dead, unsigned char *touched);
+
 /* Adds the force F, N, at a place of a beam to the forces on the vectors, r[vectors][3].
  * HOBE_UNKNOWN with `where` for a beam that is not there. */
 enum hobe_status load_at(const struct hobe_model *model, const char *beam, double at,

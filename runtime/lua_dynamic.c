@@ -83,6 +83,10 @@ static const struct hobe_lua_field fields[] = {
     INFO("rejected", rejected, 'l', NULL, "steps tried and given up"),
     INFO("iterations", iterations, 'l', NULL, "Newton iterations in all"),
     INFO("factorisations", factorisations, 'l', NULL, "factorisations in all"),
+    INFO("projected", projected, 'l', NULL,
+         "unknowns of a projection, multipliers included; 0: none"),
+    INFO("linearisations", linearisations, 'i', NULL,
+         "how often the modes of a projection were found"),
     INFO("smallest_step", smallest_step, 'd', "s", "the shortest step taken"),
     INFO("largest_step", largest_step, 'd', "s", "the longest"),
     INFO("solve_seconds", seconds, 'd', "s", "solving"),
@@ -202,6 +206,7 @@ const struct hobe_lua_entry hobe_lua_history_methods[] = {
 
 struct options {
     struct hobe_dynamic dynamic;
+    struct hobe_projection projection;
     int log;
 };
 
@@ -232,6 +237,9 @@ static const struct hobe_lua_key dynamic_keys[] = {
            .doc = "iterations of a step before it is given up"),
     OPTION(smallest_step, KEY_NUMBER, KEY_ABOVE(0), .unit = "s",
            .doc = "below which a step is not cut; 1e-9 of the time to go where left out"),
+    KEY(struct options, projection, KEY_GROUP, .group = &hobe_lua_projection_schema,
+        .doc = "moves by few fields only, as in `hobe.static`; --resume "
+               "begins such a motion again"),
     KEY(struct options, log, KEY_FLAG, .doc = "print each step on standard error"),
     {0}};
 
@@ -262,6 +270,8 @@ static int solve_dynamic(lua_State *L)
     struct watch watch = {context, options.log || context->log, 0, hobe_lua_now()};
     struct hobe_error err;
     read_start(L, &options.dynamic);
+    options.dynamic.projection =
+        hobe_lua_finish_projection(L, &dynamic_schema, &options.projection);
     struct history *history = lua_newuserdatauv(L, sizeof *history, 2);
     *history = (struct history){NULL, NULL};
     hobe_lua_set_type(L, HOBE_LUA_HISTORY, finalize, hobe_lua_history_methods, get_field);
@@ -272,7 +282,8 @@ static int solve_dynamic(lua_State *L)
     options.dynamic.log = watch_step;
     options.dynamic.context = &watch;
     context->solves++;
-    history->journal = options.dynamic.journal = hobe_lua_open_journal(L);
+    if (!options.dynamic.projection)
+        history->journal = options.dynamic.journal = hobe_lua_open_journal(L);
     hobe_lua_pause_clock();
     if (watch.log)
         fprintf(stderr, "    step           time       size  iter      error  (solve %d)\n",
@@ -286,8 +297,12 @@ static int solve_dynamic(lua_State *L)
     history->journal = NULL;
     if (status)
         hobe_lua_raise(L, &err);
+    struct hobe_history_info info;
+    hobe_history_info(history->history, &info);
+    context->cost.solve += info.seconds;
     if (context->program && context->folder)
         write_rows(context, history->history);
+    hobe_lua_note_reduced(L, NAN);
     if (options.dynamic.rho > 0.9)
         hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
                          "motions with joints may fail");

@@ -18,6 +18,7 @@ static int free_context(lua_State *L)
     hobe_text_free(&context->tables);
     hobe_text_free(&context->newton);
     hobe_text_free(&context->motion);
+    hobe_text_free(&context->chart);
     hobe_lua_forget_files(context);
     return 0;
 }
@@ -65,6 +66,8 @@ int hobe_lua_note(lua_State *L, const char *format, ...)
     va_start(args, format);
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
+    if (hobe_lua_context(L)->trying)
+        return 0;
     hobe_lua_push_store(L, HOBE_LUA_NOTES);
     const int is_new = lua_getfield(L, -1, line) == LUA_TNIL;
     if (is_new) {
@@ -305,9 +308,12 @@ const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"A motion", hobe_lua_history_methods, 1},
     {"Vibration and buckling", hobe_lua_modal_entries, 0},
     {"Modes", hobe_lua_modes_methods, 1},
+    {"Reduced models", hobe_lua_reduce_entries, 0},
+    {"A reduced model", hobe_lua_reduced_methods, 1},
     {"One element", hobe_lua_kernel_entries, 0},
     {"Methods of an element", hobe_lua_kernel_methods, 1},
     {"Reports", hobe_lua_report_entries, 0},
+    {"Charts of models", hobe_lua_chart_entries, 0},
     {"Tables and diagrams", hobe_lua_figure_entries, 0},
     {"Pictures", hobe_lua_picture_entries, 0},
     {"Files for ParaView", hobe_lua_vtk_entries, 0},

@@ -5,11 +5,12 @@
 
 #include "lua_hobe.h"
 
-#define HOBE_LUA_ITEM  "hobe.item"
-#define HOBE_LUA_SCENE "hobe.scene"
-#define HOBE_LUA_CURVE "hobe.curve"
-#define HOBE_LUA_DRIVE "hobe.drive"
-#define HOBE_LUA_RAMP  "hobe.ramp"
+#define HOBE_LUA_ITEM    "hobe.item"
+#define HOBE_LUA_SCENE   "hobe.scene"
+#define HOBE_LUA_REDUCED "hobe.reduced"
+#define HOBE_LUA_CURVE   "hobe.curve"
+#define HOBE_LUA_DRIVE   "hobe.drive"
+#define HOBE_LUA_RAMP    "hobe.ramp"
 
 enum hobe_lua_kind {
     ITEM_BEAM,
@@ -57,6 +58,20 @@ struct hobe_lua_scene {
     hobe_model *model;
 };
 
+/* A reduced model as userdata, which verbs take for a scene.  (lua_reduce.c, so below) */
+struct hobe_lua_reduced {
+    struct hobe_lua_scene scene; /* its model is the reduced one */
+    hobe_reduced *reduced;
+    int owned; /* and freed with it */
+};
+
+/* The scene, or reduced model, that is the first argument of a verb; raises where it is none. */
+struct hobe_lua_scene *hobe_lua_read_scene(lua_State *L, const char *verb);
+
+/* Says with the results that the first argument was reduced, if it is, and what the indicator of
+ * the result is, unless NaN. */
+void hobe_lua_note_reduced(lua_State *L, double indicator);
+
 /* The keys material = {...}, fit for struct hobe_material. */
 extern const struct hobe_lua_schema hobe_lua_material_schema;
 
@@ -96,12 +111,30 @@ int hobe_lua_read_body_point(lua_State *L, int index, const char *method, double
 extern const struct hobe_lua_schema hobe_lua_body_schema;
 int hobe_lua_body(lua_State *L);
 
+/* Pushes the scene of the list of items at the absolute index, its beams as a model has them, NULL:
+ * as they are.  (lua_scene.c) */
+struct advise_model;
+struct hobe_lua_scene *hobe_lua_make_scene(lua_State *L, int items,
+                                           const struct advise_model *model);
+
+/* The same with the cheapest model that holds the accuracy in the quantities that the function at
+ * an absolute index gives of a scene, nil: of how its beams move; says which.  (lua_advise.c) */
+void hobe_lua_advise(lua_State *L, int items, int function, double accuracy);
+
 /* Pushes a result that is still empty, of the scene at an index (lua_solve.c). */
 hobe_solution **hobe_lua_new_result(lua_State *L, int scene);
 
 /* Pushes the result that is the state i of the motion at the absolute index, i = 0 the start, and
  * returns what it holds, alive as long as the motion (lua_dynamic.c). */
 const hobe_solution *hobe_lua_push_state(lua_State *L, int motion, int i);
+
+/* The key `projection` of the table at index 2, which has been read into *projection by that
+ * schema: what the solver is to be given, NULL where it is left out; results to train with stay on
+ * the stack.  (lua_projection.c) */
+extern const struct hobe_lua_schema hobe_lua_projection_schema;
+const struct hobe_projection *hobe_lua_finish_projection(lua_State *L,
+                                                         const struct hobe_lua_schema *schema,
+                                                         struct hobe_projection *projection);
 
 /* The scene and the table of options of a verb, the schema's name: its first two arguments. */
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,

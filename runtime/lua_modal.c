@@ -2,6 +2,8 @@
 /* Natural frequencies, critical loads and their shapes as Lua sees them. */
 #include "lua_item.h"
 
+#include <math.h>
+
 #include <string.h>
 
 struct modes {         /* its user value is the scene */
@@ -291,12 +293,9 @@ typedef enum hobe_status find_modes(hobe_model *, const hobe_solution *,
 static int find(lua_State *L, const struct hobe_lua_schema *schema, find_modes *verb)
 {
     lua_settop(L, 2);
-    struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
+    struct hobe_lua_scene *scene = hobe_lua_read_scene(L, schema->name);
     const hobe_solution *state;
     struct hobe_error err;
-    if (!scene)
-        hobe_lua_fail(L, "%s must be given a scene, %s(hobe.scene{...}), got %s", schema->name,
-                      schema->name, hobe_lua_describe(L, 1));
     const struct hobe_modal_options options = read_options(L, schema, &state);
     struct modes *modes = lua_newuserdatauv(L, sizeof *modes, 1);
     *modes = (struct modes){NULL, scene->model};
@@ -308,6 +307,10 @@ static int find(lua_State *L, const struct hobe_lua_schema *schema, find_modes *
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
+    struct hobe_modes_info info;
+    hobe_modes_info(modes->modes, &info);
+    hobe_lua_context(L)->cost.solve += info.seconds;
+    hobe_lua_note_reduced(L, NAN);
     if (hobe_modes_note(modes->modes))
         hobe_lua_note(L, "%s", hobe_modes_note(modes->modes));
     return 1;

@@ -104,8 +104,17 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
+    SOLVED("indicator", solution.indicator, 'd', NULL,
+           "of a reduced model: what the displacements may lack of those of the whole scene, "
+           "relative to their size; 0 of whole ones; not a number where it was not asked"),
     SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
+    SOLVED("projected", solution.projected, 'l', NULL,
+           "those of a projection, multipliers included; 0: none"),
+    SOLVED("linearisations", solution.linearisations, 'i', NULL,
+           "how often the modes of a projection were found"),
+    SOLVED("outside", solution.outside, 'd', NULL,
+           "relative residual that stays outside the modes of a projection"),
     SOLVED("setup_seconds", model.setup, 'd', "s", "building the scene"),
     SOLVED("solve_seconds", solution.seconds, 'd', "s", "solving"),
     {0}};
@@ -558,10 +567,7 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
     lua_settop(L, 2);
     if (hobe_lua_context(L)->called)
         hobe_lua_fail(L, "%s: a function that a solver calls cannot solve", schema->name);
-    struct hobe_lua_scene *scene = luaL_testudata(L, 1, HOBE_LUA_SCENE);
-    if (!scene)
-        hobe_lua_fail(L, "%s must be given a scene, %s(hobe.scene{...}), got %s", schema->name,
-                      schema->name, hobe_lua_describe(L, 1));
+    struct hobe_lua_scene *scene = hobe_lua_read_scene(L, schema->name);
     if (lua_isnil(L, 2)) {
         lua_newtable(L);
         lua_replace(L, 2);
@@ -577,6 +583,7 @@ static const double FEW_DIGITS = 1e-6; /* a change above this is said */
 
 struct options {
     struct hobe_newton newton;
+    struct hobe_projection projection;
     int line_search, log;
 };
 
@@ -605,6 +612,12 @@ static const struct hobe_lua_key static_keys[] = {
            .doc = "iterations of a step before it is cut"),
     NEWTON(smallest_step, KEY_NUMBER, KEY_BETWEEN(0, 1), .fallback = 1e-4,
            .doc = "share of the load below which a step is not cut"),
+    KEY(struct options, projection, KEY_GROUP, .group = &hobe_lua_projection_schema,
+        .doc = "looks for corrections among few fields only, by the matrices and forces of the "
+               "whole: it shows what such fields can do, and takes longer; not by series"),
+    NEWTON(linear, KEY_FLAG,
+           .doc = "the linear response to the loads instead, right where they are small: one "
+                  "correction from the reference; `residual` tells how far from equilibrium it is"),
     KEY(struct options, line_search, KEY_FLAG, .fallback = 1,
         .doc = "whether steps that increase the residual are shortened"),
     KEY(struct options, log, KEY_FLAG, .doc = "print each iteration on standard error"),
@@ -612,11 +625,11 @@ static const struct hobe_lua_key static_keys[] = {
 
 static const struct hobe_lua_schema static_schema = {"static", static_keys};
 
-static double change_of(const hobe_solution *solution)
+static struct hobe_solution_info info_of(const hobe_solution *solution)
 {
     struct hobe_solution_info info;
     hobe_solution_info(solution, &info);
-    return info.change;
+    return info;
 }
 
 /* Says when few digits are settled. */
@@ -638,6 +651,7 @@ static int solve_static(lua_State *L)
     struct watch watch;
     struct hobe_error err;
     options.newton.no_line_search = !options.line_search;
+    options.newton.projection = hobe_lua_finish_projection(L, &static_schema, &options.projection);
     hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
@@ -648,7 +662,11 @@ static int solve_static(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    note_change(L, change_of(*solution));
+    const struct hobe_solution_info info = info_of(*solution);
+    hobe_lua_context(L)->factorisations += info.factorisations;
+    hobe_lua_context(L)->cost.solve += info.seconds;
+    note_change(L, info.change);
+    hobe_lua_note_reduced(L, info.indicator);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
@@ -747,17 +765,20 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
 {
     static const char *const ends[] = {"load", "displacement", "steps"};
     struct hobe_path_info info;
-    double change = 0;
+    double change = 0, indicator = NAN;
     const hobe_solution *last = NULL;
     hobe_path_info(path, &info);
+    hobe_lua_context(L)->cost.solve += info.seconds;
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);
         last = *point = hobe_path_take(path, i);
-        change = fmax(change, change_of(*point));
+        change = fmax(change, info_of(*point).change);
+        indicator = fmax(indicator, info_of(*point).indicator);
         lua_rawseti(L, -2, i + 1);
     }
     note_change(L, change);
+    hobe_lua_note_reduced(L, indicator);
     lua_pushstring(L, ends[info.end]);
     lua_setfield(L, -2, "ended");
     set_number(L, "solve_seconds", info.seconds);

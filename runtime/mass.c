@@ -4,6 +4,7 @@
 #include "body.h"
 #include "load.h"
 #include "point_mass.h"
+#include "reduction.h"
 #include "vector3.h"
 
 #include <string.h>
@@ -84,6 +85,10 @@ void mass_matrix_of(const struct hobe_model *model, const struct beam *beam, dou
 void mass_force_through(const struct hobe_model *model, const double A[3][3], const double *a,
                         double *f)
 {
+    if (model->reduction) {
+        reduction_mass_force(model, A, a, f);
+        return;
+    }
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             mass_element_force(model, model_beam(model, i), e, A, a, f);
@@ -101,6 +106,10 @@ void mass_force_through(const struct hobe_model *model, const double A[3][3], co
 void mass_matrix_through(const struct hobe_model *model, const double A[3][3],
                          const struct matrix *K)
 {
+    if (model->reduction) {
+        reduction_mass_matrix(model, A, K);
+        return;
+    }
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             element_matrix(model, model_beam(model, i), e, A, K);
@@ -136,6 +145,8 @@ double mass_product_of(const struct hobe_model *model, const struct beam *beam, 
 double mass_product(const struct hobe_model *model, const double *a, const double *b)
 {
     double sum = 0;
+    if (model->reduction)
+        return reduction_mass_product(model, a, b);
     for (size_t i = 0; i < model->beams.count; i++)
         sum += mass_product_of(model, model_beam(model, i), a, b);
     for (size_t i = 0; i < model->bodies.count; i++)
@@ -164,9 +175,33 @@ void mass_translation(const struct hobe_model *model, int axis, double *field)
         field[3 * model_body(model, i)->first + axis] = 1;
 }
 
+enum hobe_status mass_measure(const struct hobe_model *model, double *mass, double *size,
+                              struct hobe_error *err)
+{
+    model = model_whole(model);
+    const size_t n = (size_t)(3 * model->vectors);
+    double *q = hobe_alloc(n, sizeof *q, err), *one = hobe_alloc(n, sizeof *one, err);
+    if (q && one) {
+        model_reference(model, q);
+        mass_translation(model, 0, one);
+        *mass = mass_product(model, one, one);
+        for (int a = 0; a < 3; a++) {
+            mass_translation(model, a, one);
+            const double centre = mass_product(model, q, one) / *mass;
+            for (long i = a; i < 3 * model->vectors; i += 3)
+                q[i] -= centre * one[i];
+        }
+        *size = sqrt(fmax(0, mass_product(model, q, q)) / *mass);
+    }
+    hobe_free(q);
+    hobe_free(one);
+    return q && one ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
 enum hobe_status mass_check(const struct hobe_model *model, const char *what, const char *where,
                             struct hobe_error *err)
 {
+    model = model_whole(model);
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct beam *beam = model_beam(model, i);
         if (!(element_mass(beam, 0)[0] > 0)) /* of some part of a composite section */

@@ -37,6 +37,11 @@ double mass_product(const struct hobe_model *model, const double *a, const doubl
 /* field[vectors][3] = the unit translation of everything along a global axis. */
 void mass_translation(const struct hobe_model *model, int axis, double *field);
 
+/* *mass, kg, and the radius of gyration about the mass centre, sections included, *size, m, of the
+ * reference. */
+enum hobe_status mass_measure(const struct hobe_model *model, double *mass, double *size,
+                              struct hobe_error *err);
+
 /* HOBE_BAD_INPUT where a beam has no mass; `what` needs some ("vibration"), `where` is its tag,
  * NULL: the beam's. */
 enum hobe_status mass_check(const struct hobe_model *model, const char *what, const char *where,

@@ -102,9 +102,8 @@ static enum hobe_status solve(struct pencil *s, struct hobe_modal_options *o, ho
                          : take(s, o, unstable, modes, err);
     if (status)
         return status;
-    mass_translation(s->model, 0, s->r);
-    (*modes)->info.mass = mass_product(s->model, s->r, s->r);
-    return HOBE_OK;
+    double size;
+    return mass_measure(s->model, &(*modes)->info.mass, &size, err);
 }
 
 enum hobe_status hobe_modal(hobe_model *model, const hobe_solution *state,

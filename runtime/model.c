@@ -12,6 +12,7 @@
 #include "numbering.h"
 #include "pattern.h"
 #include "point_mass.h"
+#include "reduction.h"
 #include "spring.h"
 #include "vector3.h"
 
@@ -108,11 +109,15 @@ void hobe_model_free(hobe_model *model)
     hobe_free(model->held);
     hobe_free(model->dead);
     hobe_free(model->arm);
+    hobe_free(model->touched.vector);
+    hobe_free(model->touched.at);
     assemble_free(&model->schedule);
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
     hobe_free(model->note);
-    hobe_free(model->failure);
+    if (!model->reduction)
+        hobe_free(model->failure);
+    reduction_free(model->reduction);
     hobe_free(model);
 }
 
@@ -435,6 +440,7 @@ struct place model_place(const struct beam *beam, double at)
 
 const char *hobe_model_beam_name(const hobe_model *model, int i)
 {
+    model = model_whole(model);
     return i >= 0 && (size_t)i < model->beams.count ? model_beam(model, (size_t)i)->name : NULL;
 }
 
@@ -443,6 +449,14 @@ enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_er
     if (err && model->loose.status)
         *err = model->loose;
     return model->loose.status;
+}
+
+int model_same_shape(const hobe_model *a, const hobe_model *b)
+{
+    const size_t size = (size_t)a->vectors * sizeof *a->unknown;
+    return a->vectors == b->vectors && a->beam_vectors == b->beam_vectors &&
+           a->unknowns == b->unknowns && !memcmp(a->alias, b->alias, size) &&
+           !memcmp(a->unknown, b->unknown, size);
 }
 
 void model_reference(const struct hobe_model *model, double *q)
@@ -471,13 +485,17 @@ const char *hobe_model_note(const hobe_model *model, int i)
 
 void hobe_model_info(const hobe_model *model, struct hobe_model_info *info)
 {
-    *info = (struct hobe_model_info){.beams = (int)model->beams.count,
-                                     .bodies = (int)model->bodies.count,
+    const hobe_model *whole = model_whole(model);
+    const struct reduction *r = model->reduction;
+    *info = (struct hobe_model_info){.beams = (int)whole->beams.count,
+                                     .bodies = (int)whole->bodies.count,
                                      .vectors = model->vectors,
                                      .unknowns = 3 * model->unknowns,
                                      .setup = model->setup};
-    for (size_t i = 0; i < model->beams.count; i++)
-        info->elements += model_beam(model, i)->spec.elements;
+    if (r)
+        info->unknowns -= 3 * r->blocks - r->n; /* spare ones */
+    for (size_t i = 0; i < whole->beams.count; i++)
+        info->elements += model_beam(whole, i)->spec.elements;
     if (model->pattern.start)
         info->nonzeros = 9 * model->pattern.start[model->unknowns];
 }

@@ -58,6 +58,13 @@ struct instant {
 };
 static const struct instant AT_REST = {0, NULL, 0, 0};
 
+/* The vectors that what is no element acts on, where that is asked for: those of beams that have
+ * joints, springs, or loads that depend on the state or on time, and all behind the beams'. */
+struct touched {
+    long count, *vector; /* ascending, unknown ones alone */
+    long *at;            /* [unknowns] their places in `vector`, -1: none; NULL: not asked for */
+};
+
 struct workspace {                               /* of one batch, large enough for every beam */
     hobe_lanes *q0, *u, *f, *K, *more, *scratch; /* more: a second K */
 };
@@ -108,9 +115,11 @@ struct hobe_model {
     long unknowns;           /* vectors solved for */
     double *dead;            /* [vectors][3] forces that do not depend on the state */
     struct pattern pattern;
-    int *stride[LAYOUTS];  /* [unknowns] */
-    hobe_fronts *fronts;   /* NULL where tangents are not symmetric */
-    hobe_linsolve *solver; /* NULL until pattern_columns */
+    struct touched touched;
+    struct reduction *reduction; /* of a reduced model (reduction.h); NULL: it is none */
+    int *stride[LAYOUTS];        /* [unknowns] */
+    hobe_fronts *fronts;         /* NULL where tangents are not symmetric */
+    hobe_linsolve *solver;       /* NULL until pattern_columns */
     struct schedule schedule;
     struct hobe_error *failure; /* the first in a drive or a force of the caller (model_fail) */
     char **note;
@@ -132,6 +141,9 @@ static inline long model_vector(const struct hobe_model *model, const struct bea
 
 /* HOBE_UNCONSTRAINED with the sentence that names what is free to move, of a built model. */
 enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_error *err);
+
+/* Whether the states of two built models have the same unknowns. */
+int model_same_shape(const hobe_model *a, const hobe_model *b);
 
 /* q[vectors][3] = the nodal vectors in the reference, global axes: positions from the origin; 0 for
  * multipliers. */

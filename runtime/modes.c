@@ -2,6 +2,7 @@
 #include "modes.h"
 
 #include "body.h"
+#include "reduction.h"
 
 #include "solution.h"
 
@@ -17,14 +18,22 @@ void modes_spread(const struct pencil *s, const double *x, double *field)
         }
 }
 
+void modes_expand(const struct pencil *s, const double *x, double *field)
+{
+    modes_spread(s, x, s->model->reduction ? s->r : field);
+    if (s->model->reduction)
+        reduction_expand(s->model, s->r, 0, field);
+}
+
 hobe_modes *modes_new(const struct pencil *s, int count, enum hobe_modal_method method,
                       struct hobe_error *err)
 {
-    const size_t size = (size_t)(3 * s->model->vectors);
+    const hobe_model *model = model_whole(s->model);
+    const size_t size = (size_t)(3 * model->vectors);
     hobe_modes *modes = hobe_alloc(1, sizeof *modes, err);
     if (!modes)
         return NULL;
-    modes->model = s->model;
+    modes->model = model;
     modes->info = (struct hobe_modes_info){
         .count = count, .buckling = s->buckling, .unknowns = s->n, .method = method};
     modes->mu = hobe_alloc((size_t)count, sizeof *modes->mu, err);
@@ -44,7 +53,7 @@ hobe_modes *modes_take(struct pencil *s, int count, enum hobe_modal_method metho
     pencil_orthonormalize(s, count);
     memcpy(modes->mu, s->mu, (size_t)count * sizeof *modes->mu);
     for (int i = 0; i < count; i++)
-        modes_spread(s, s->X + i * s->n, modes->shape + 3 * i * s->model->vectors);
+        modes_expand(s, s->X + i * s->n, modes->shape + 3 * i * modes->model->vectors);
     return modes;
 }
 
@@ -61,8 +70,12 @@ enum hobe_status modes_find(struct pencil *s, const struct hobe_modal_options *o
     const double started = hobe_seconds();
     status = solve(s, &o, modes, err);
     pencil_close(s);
-    if (!status)
+    if (!status) {
         (*modes)->info.seconds = hobe_seconds() - started;
+        return HOBE_OK;
+    }
+    hobe_modes_free(*modes);
+    *modes = NULL;
     return status;
 }
 

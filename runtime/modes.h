@@ -28,6 +28,9 @@ hobe_modes *modes_new(const struct pencil *s, int count, enum hobe_modal_method 
 /* field[vectors][3] = phi = D x on the unknowns, zero where held. */
 void modes_spread(const struct pencil *s, const double *x, double *field);
 
+/* The same on the model of the modes, which is the whole one of a reduced model. */
+void modes_expand(const struct pencil *s, const double *x, double *field);
+
 /* Finds the modes of a pencil; the options are a copy of the caller's. */
 typedef enum hobe_status modes_solver(struct pencil *s, struct hobe_modal_options *options,
                                       hobe_modes **modes, struct hobe_error *err);

@@ -4,14 +4,18 @@
 #include "newton.h"
 
 #include "assemble.h"
+#include "component_modes.h"
 #include "constraint.h"
 #include "damping.h"
 #include "inertia.h"
 #include "load.h"
 #include "mass.h"
 #include "pattern.h"
+#include "reduction.h"
+#include "snapshot_modes.h"
 #include "solution.h"
 #include "spring.h"
+#include "trust.h"
 
 #include <float.h>
 #include <math.h>
@@ -63,7 +67,8 @@ void solver_move(struct solver *s, const double *x, double factor)
                 s->u[3 * v + a] += factor * x[3 * model->unknown[v] + a];
 }
 
-double solver_norm(const struct solver *s, const double *field, int p)
+/* |D^p field| over all unknowns. */
+static double whole_norm(const struct solver *s, const double *field, int p)
 {
     const hobe_model *model = s->model;
     double sum[3] = {0}; /* three chains, which do not wait for each other */
@@ -75,6 +80,11 @@ double solver_norm(const struct solver *s, const double *field, int p)
                 sum[a] += x * x;
             }
     return sqrt(sum[0] + sum[1] + sum[2]);
+}
+
+double solver_norm(const struct solver *s, const double *field, int p)
+{
+    return s->space.count > 0 && p > 0 ? subspace_norm(&s->space, field) : whole_norm(s, field, p);
 }
 
 /* |D^-1 du| of the correction. */
@@ -165,11 +175,13 @@ static enum hobe_status factor_in_columns(struct solver *s, struct hobe_error *e
 enum outcome solver_factor(struct solver *s, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_SINGULAR;
-    if (s->K.layout == FRONTS) {
+    if (s->space.count > 0)
+        status = subspace_factor(&s->space, s->K.value, err);
+    else if (s->K.layout == FRONTS) {
         s->factored = FRONTS;
         status = fronts_factor(s->model->fronts, s->K.value, s->scale);
     }
-    if (status == HOBE_SINGULAR)
+    if (status == HOBE_SINGULAR && s->space.count == 0)
         status = factor_in_columns(s, err);
     s->info.factorisations++;
     if (status == HOBE_SINGULAR)
@@ -199,10 +211,24 @@ enum hobe_status solver_solve(struct solver *s, const double *field, double fact
     solver_restrict(s->model, field, x);
     for (long i = 0; i < 3 * s->model->unknowns; i++)
         x[i] *= factor;
-    if (s->factored == COLUMNS)
+    if (s->space.count > 0)
+        subspace_solve(&s->space, x);
+    else if (s->factored == COLUMNS)
         return hobe_linsolve_solve(s->model->solver, x, err);
-    fronts_solve(s->model->fronts, s->K.value, x);
+    else
+        fronts_solve(s->model->fronts, s->K.value, x);
     return HOBE_OK;
+}
+
+enum hobe_status solver_confine(struct solver *s, double factor, struct hobe_error *err)
+{
+    const struct hobe_projection *how = s->options.projection;
+    const int fixed = how && how->method == HOBE_PROJECTION_SNAPSHOTS;
+    if (!how || (fixed && s->space.count > 0))
+        return HOBE_OK;
+    s->info.linearisations++;
+    return fixed ? snapshot_modes(s->model, how, s->reference, &s->space, err)
+                 : component_modes(s->model, how, s->u, factor, s->reference, &s->space, err);
 }
 
 /* Takes the correction, halved until the work of the residual along it has fallen. */
@@ -220,6 +246,16 @@ static void search_line(struct solver *s, double factor)
     s->now.line = taken;
 }
 
+/* What rounding may leave of the residual; of a reduced one the energy's large terms that cancel
+ * round more than the state. */
+static double round_off(struct solver *s)
+{
+    if (!s->model->reduction)
+        return ROUND_OFF * solver_norm(s, s->u, -1);
+    reduction_round_off(s->model, s->u, s->step); /* which the next tangent sets anew */
+    return solver_norm(s, s->step, 1);
+}
+
 enum outcome solver_judge(struct solver *s, double norm, double last_norm)
 {
     s->now.residual = s->info.residual = norm / s->load_norm;
@@ -231,7 +267,7 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
         solver_log(s, "diverged");
         return FAILED;
     }
-    if (norm > 0.5 * last_norm && norm <= ROUND_OFF * solver_norm(s, s->u, -1)) {
+    if (norm > 0.5 * last_norm && norm <= round_off(s)) {
         solver_log(s, "converged to round-off");
         return CONVERGED;
     }
@@ -372,12 +408,16 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 {
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
     double reached = 0, step = 1.0 / s->options.steps;
+    int fresh = 1; /* the state is another one than that of the last attempt */
     while (reached < 1) {
         const double target = reached + step > 1 - 1e-9 ? 1 : reached + step;
         const int before = s->info.iterations;
         s->now.step = s->info.steps + 1;
         memcpy(s->start, s->u, size);
+        if (fresh && solver_confine(s, reached, err))
+            return err ? err->status : HOBE_NO_MEMORY;
         const enum outcome outcome = attempt(s, target, err);
+        fresh = outcome == CONVERGED;
         if (outcome == ERROR)
             return err ? err->status : HOBE_NO_MEMORY;
         if (outcome == FAILED) {
@@ -398,13 +438,12 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 
 /* ---- a start from another solution ----------------------------------------------------------- */
 
-/* Whether the states of both models have the same unknowns. */
-static int same_shape(const hobe_model *a, const hobe_model *b)
+/* Whether the start is a state of the model or of one with the same unknowns. */
+static int fits(const hobe_model *model, const hobe_solution *start)
 {
-    const size_t size = (size_t)a->vectors * sizeof *a->unknown;
-    return a->vectors == b->vectors && a->beam_vectors == b->beam_vectors &&
-           a->unknowns == b->unknowns && !memcmp(a->alias, b->alias, size) &&
-           !memcmp(a->unknown, b->unknown, size);
+    const struct reduction *reduction = model->reduction;
+    return reduction ? start->reduced == reduction->of && start->coordinates == model->vectors
+                     : model_same_shape(model, start->model);
 }
 
 /* Newton at the full load from the start that is given, in one step; FAILED leaves the reference.
@@ -413,7 +452,7 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
 {
     const hobe_solution *start = s->options.start;
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
-    if (!same_shape(s->model, start->model)) {
+    if (!fits(s->model, start)) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL,
                   "start must be a result of this scene or of one of the same shape (the same "
                   "elements, joins and supports in the same order): it has %ld unknowns, here are "
@@ -421,9 +460,11 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
                   3 * start->model->unknowns, 3 * s->model->unknowns);
         return ERROR;
     }
-    memcpy(s->u, start->u, size);
+    memcpy(s->u, solution_field(start, s->model, SOLUTION_U), size);
     memcpy(s->start, s->u, size);
     s->now.step = 1;
+    if (solver_confine(s, 1, err))
+        return ERROR;
     const enum outcome outcome = attempt(s, 1, err);
     if (outcome == CONVERGED) {
         s->info.steps = 1;
@@ -442,7 +483,24 @@ static void set_scale(struct solver *s)
 {
     solver_evaluate(s, 1, TRUE_TANGENT);
     pattern_scale(s->model, &s->K, s->scale);
+    if (s->model->reduction && s->model->reduction->of->centre) { /* where F is not 0 */
+        memset(s->r, 0, (size_t)(3 * s->model->vectors) * sizeof *s->r);
+        load_subtract(s->model, s->u, &s->motion.instant, 1, s->r, NULL);
+    }
     s->load_norm = solver_norm(s, s->r, 1); /* F = 0 at the reference */
+    if (s->reference)
+        memcpy(s->reference, s->scale, (size_t)(3 * s->model->unknowns) * sizeof *s->scale);
+}
+
+enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err)
+{
+    if (s->K.layout == COLUMNS)
+        return HOBE_OK;
+    hobe_free(s->K.value);
+    s->K.value = NULL;
+    if (pattern_columns(s->model, err))
+        return HOBE_NO_MEMORY;
+    return pattern_matrix(s->model, COLUMNS, &s->K, err);
 }
 
 static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
@@ -457,18 +515,12 @@ static enum hobe_status allocate(struct solver *s, struct hobe_error *err)
     s->scale = hobe_alloc(n, sizeof *s->scale, err);
     if (!s->u || !s->start || !s->turned || !s->step || !s->r || !s->x || !s->scale)
         return HOBE_NO_MEMORY;
-    return pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err);
-}
-
-enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err)
-{
-    if (s->K.layout == COLUMNS)
-        return HOBE_OK;
-    hobe_free(s->K.value);
-    s->K.value = NULL;
-    if (pattern_columns(s->model, err))
+    if (pattern_matrix(s->model, s->model->fronts ? FRONTS : COLUMNS, &s->K, err))
         return HOBE_NO_MEMORY;
-    return pattern_matrix(s->model, COLUMNS, &s->K, err);
+    if (!s->options.projection)
+        return HOBE_OK;
+    s->reference = hobe_alloc(n, sizeof *s->reference, err);
+    return s->reference ? solver_use_columns(s, err) : HOBE_NO_MEMORY;
 }
 
 void solver_close(struct solver *s)
@@ -483,6 +535,8 @@ void solver_close(struct solver *s)
     hobe_free(s->mass.value);
     hobe_free(s->x);
     hobe_free(s->scale);
+    hobe_free(s->reference);
+    subspace_close(&s->space);
 }
 
 static void set_defaults(struct hobe_newton *o)
@@ -502,8 +556,12 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
 {
     *s = (struct solver){.model = model, .options = *options, .singular = -1};
     s->info.negative = -1;
+    s->info.indicator = model->reduction ? NAN : 0;
     set_defaults(&s->options);
     s->motion.instant.time = s->info.time = options->time;
+    if (options->projection && model->reduction)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a projection is for whole scenes, not for reduced models");
     const enum hobe_status status = allocate(s, err);
     if (status)
         return status;
@@ -515,7 +573,31 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
 {
     s->info.energy = assemble_energy(s->model, s->u) + spring_energy(s->model, s->u);
     s->info.seconds = hobe_seconds() - started;
-    return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
+    s->info.projected = s->space.count;
+    s->info.outside = s->space.count > 0 ? whole_norm(s, s->r, 1) / s->load_norm : 0;
+    hobe_solution *taken = solution_new(s->model, s->u, NULL, NULL, &s->info, err);
+    if (taken && s->model->reduction && trust_ask(s->model->reduction->whole, taken, err)) {
+        hobe_solution_free(taken);
+        return NULL;
+    }
+    return taken;
+}
+
+/* A reduced model keeps to the accuracy it was asked for, or says that it does not. */
+static enum hobe_status check_trust(const hobe_model *model, hobe_solution **solution,
+                                    struct hobe_error *err)
+{
+    const double accuracy = model->reduction ? model->reduction->of->info.accuracy : 0;
+    const double indicator = (*solution)->info.indicator;
+    if (!(accuracy > 0) || indicator <= accuracy)
+        return HOBE_OK;
+    hobe_solution_free(*solution);
+    *solution = NULL;
+    return hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
+                     "the reduced model may lack %.2g of the displacements under these loads, more "
+                     "than its accuracy %.2g; reduce the scene with these among its loads, or "
+                     "solve the whole one",
+                     indicator, accuracy);
 }
 
 /* The end of the path to the full load. */
@@ -543,9 +625,31 @@ static enum hobe_status follow_series(hobe_model *model, const struct hobe_newto
     return status;
 }
 
+/* u = K_0^-1 Q, and what of the load it leaves unbalanced. */
+static enum hobe_status respond(struct solver *s, struct hobe_error *err)
+{
+    const enum outcome outcome = solver_factor(s, err);
+    if (outcome != CONVERGED)
+        return outcome == ERROR ? err->status : solver_name_free(s, err);
+    enum hobe_status status = solver_solve(s, s->r, -1, s->x, err);
+    if (status)
+        return status;
+    solver_move(s, s->x, 1);
+    solver_evaluate(s, 1, NO_TANGENT);
+    status = model_failure(s->model, err);
+    if (status)
+        return status;
+    s->info.steps = s->info.iterations = 1;
+    s->info.load = 1;
+    s->info.residual = solver_norm(s, s->r, 1) / s->load_norm;
+    return solution_smallest_volume(s->model, s->u, &s->info.smallest_volume, err);
+}
+
 /* Equilibrium at the full load, in s->u. */
 static enum hobe_status find(struct solver *s, struct hobe_error *err)
 {
+    if (s->options.linear)
+        return respond(s, err);
     const enum outcome outcome = s->options.start ? attempt_start(s, err) : FAILED;
     if (outcome == ERROR)
         return err ? err->status : HOBE_NO_MEMORY;
@@ -586,7 +690,7 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     const double started = hobe_seconds();
     status = solver_open(&s, model, options, err);
     const int loaded = !status && s.load_norm > 0;
-    if (loaded && options->method == HOBE_METHOD_SERIES)
+    if (loaded && options->method == HOBE_METHOD_SERIES && !options->linear)
         status = follow_series(model, &s.options, solution, err);
     else if (loaded) {
         status = find(&s, err);
@@ -598,6 +702,8 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
         *solution = solver_take(&s, started, err);
         status = *solution ? HOBE_OK : HOBE_NO_MEMORY;
     }
+    if (!status)
+        status = check_trust(model, solution, err);
     solver_close(&s);
     return status;
 }

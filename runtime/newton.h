@@ -8,7 +8,7 @@
 #ifndef HOBE_NEWTON_H
 #define HOBE_NEWTON_H
 
-#include "model.h"
+#include "subspace.h"
 
 /* What motion adds to statics: the residual gets the forces of inertia M w, the tangent M dw/du,
  * and both take velocities from the instant.  All zero in statics. */
@@ -37,6 +37,8 @@ struct solver {
     double *x;              /* [unknowns] right-hand side and correction */
     double *scale;          /* [unknowns] D */
     double load_norm;       /* |D Q| at the reference */
+    double *reference;      /* [unknowns] D of the space, that of the reference; NULL: none */
+    struct subspace space;  /* where corrections are sought, once solver_confine has been called */
     struct hobe_solution_info info;
     struct hobe_iteration now;
     long singular;      /* column of a vanishing pivot */
@@ -56,6 +58,10 @@ enum hobe_status solver_use_columns(struct solver *s, struct hobe_error *err);
 /* Keeps M in the layout of the tangent, to which motion adds it again and again. */
 enum hobe_status solver_keep_mass(struct solver *s, struct hobe_error *err);
 
+/* Looks for corrections in the space that options.projection makes about the state s->u under the
+ * load factor, from now on; nothing where there is none. */
+enum hobe_status solver_confine(struct solver *s, double factor, struct hobe_error *err);
+
 /* One line of the log, with a note. */
 void solver_log(struct solver *s, const char *note);
 
@@ -64,7 +70,8 @@ void solver_log(struct solver *s, const char *note);
 enum tangent { NO_TANGENT, TRUE_TANGENT, NEXT_TANGENT };
 void solver_evaluate(struct solver *s, double factor, enum tangent tangent);
 
-/* |D^p field| over the unknowns, p = 1 for forces, -1 for displacements; NaN where the field is. */
+/* |D^p field| over the unknowns, p = 1 for forces, of which only the part along the space counts
+ * where there is one, -1 for displacements; NaN where the field is. */
 double solver_norm(const struct solver *s, const double *field, int p);
 
 /* Whether the iteration is over, and how, by the residual's norm and the one before. */

@@ -656,6 +656,10 @@ enum hobe_status hobe_path_follow(hobe_model *model, const struct hobe_path_opti
     enum hobe_status status = hobe_model_build(model, err);
     if (!status)
         status = model_check_held(model, err);
+    if (!status && options->newton.projection)
+        status = hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                           "a projection is for load steps by Newton's method and for motions, not "
+                           "for paths and series");
     if (status)
         return status;
     f.started = hobe_seconds();

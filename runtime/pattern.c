@@ -4,6 +4,7 @@
 #include "body.h"
 #include "constraint.h"
 #include "load.h"
+#include "reduction.h"
 #include "spring.h"
 
 #include <math.h>
@@ -42,6 +43,9 @@ static struct tie *coupling(const struct hobe_model *model, size_t i)
 static void each_pair(const struct hobe_model *model, void (*visit)(struct pattern *, long, long),
                       struct pattern *pattern)
 {
+    for (long j = 0; model->reduction && j < model->unknowns; j++)
+        for (long i = 0; i < model->unknowns; i++) /* each with all */
+            visit(pattern, i, j);
     for (size_t b = 0; b < model->beams.count; b++) {
         const struct beam *beam = model_beam(model, b);
         for (int e = 0; e < beam->spec.elements; e++)
@@ -126,16 +130,20 @@ static long find_block(const struct pattern *p, long i, long j)
 /* Where a layout has block (i, j) of unknown vectors, and its stride. */
 static long find_place(const struct hobe_model *model, enum layout layout, long i, long j)
 {
-    return layout == FRONTS
-               ? fronts_place(model->fronts, i, j)
-               : pattern_scalar(&model->pattern, j, find_block(&model->pattern, i, j), 0, 0);
+    if (layout == FRONTS)
+        return fronts_place(model->fronts, i, j);
+    if (layout == COLUMNS)
+        return pattern_scalar(&model->pattern, j, find_block(&model->pattern, i, j), 0, 0);
+    const struct touched *t = &model->touched;
+    return t->at[i] < 0 || t->at[j] < 0 ? -1 : 3 * (3 * t->at[j] * t->count + t->at[i]);
 }
 
 static int find_stride(const struct hobe_model *model, enum layout layout, long j)
 {
     const long *start = model->pattern.start;
-    return layout == FRONTS ? fronts_stride(model->fronts, j)
-                            : (int)(3 * (start[j + 1] - start[j]));
+    return layout == FRONTS    ? fronts_stride(model->fronts, j)
+           : layout == COLUMNS ? (int)(3 * (start[j + 1] - start[j]))
+                               : (int)(3 * model->touched.count);
 }
 
 static enum hobe_status map_beam(const struct hobe_model *model, enum layout layout,
@@ -170,6 +178,18 @@ static enum hobe_status map_tie(const struct hobe_model *model, enum layout layo
     return HOBE_OK;
 }
 
+/* Of a reduced model. */
+static enum hobe_status map_all(const struct hobe_model *model, enum layout layout,
+                                struct hobe_error *err)
+{
+    const long n = model->unknowns;
+    long *place = hobe_alloc((size_t)(n * n), sizeof *place, err);
+    model->reduction->place[layout] = place;
+    for (long k = 0; place && k < n * n; k++)
+        place[k] = find_place(model, layout, k % n, k / n);
+    return place ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
 /* Where the blocks of beams, ties and springs are. */
 static enum hobe_status map_blocks(struct hobe_model *model, enum layout layout,
                                    struct hobe_error *err)
@@ -179,6 +199,8 @@ static enum hobe_status map_blocks(struct hobe_model *model, enum layout layout,
     enum hobe_status status = stride ? HOBE_OK : HOBE_NO_MEMORY;
     for (long j = 0; !status && j < model->unknowns; j++)
         stride[j] = find_stride(model, layout, j);
+    if (!status && model->reduction)
+        status = map_all(model, layout, err);
     for (size_t b = 0; !status && b < model->beams.count; b++)
         status = map_beam(model, layout, model_beam(model, b), err);
     for (size_t i = 0; !status && i < couplings(model); i++)
@@ -186,23 +208,30 @@ static enum hobe_status map_blocks(struct hobe_model *model, enum layout layout,
     return status;
 }
 
+static void drop_place(long **place)
+{
+    hobe_free(*place);
+    *place = NULL;
+}
+
 /* What an attempt that failed has made. */
+static void drop_layout(struct hobe_model *model, enum layout layout)
+{
+    hobe_free(model->stride[layout]);
+    model->stride[layout] = NULL;
+    for (size_t b = 0; b < model->beams.count; b++)
+        drop_place(model_beam(model, b)->place + layout);
+    for (size_t i = 0; i < couplings(model); i++)
+        drop_place(coupling(model, i)->place + layout);
+    if (model->reduction)
+        drop_place(model->reduction->place + layout);
+}
+
 static void drop_columns(struct hobe_model *model)
 {
-    struct pattern *p = &model->pattern;
-    hobe_free(p->Ap);
-    hobe_free(p->Ai);
-    p->Ap = p->Ai = NULL;
-    hobe_free(model->stride[COLUMNS]);
-    model->stride[COLUMNS] = NULL;
-    for (size_t b = 0; b < model->beams.count; b++) {
-        hobe_free(model_beam(model, b)->place[COLUMNS]);
-        model_beam(model, b)->place[COLUMNS] = NULL;
-    }
-    for (size_t i = 0; i < couplings(model); i++) {
-        hobe_free(coupling(model, i)->place[COLUMNS]);
-        coupling(model, i)->place[COLUMNS] = NULL;
-    }
+    drop_place(&model->pattern.Ap);
+    drop_place(&model->pattern.Ai);
+    drop_layout(model, COLUMNS);
 }
 
 static enum hobe_status block_columns(struct hobe_model *model, struct hobe_error *err)
@@ -242,11 +271,8 @@ enum hobe_status pattern_columns(struct hobe_model *model, struct hobe_error *er
 static long multipliers(const struct hobe_model *model)
 {
     long count = 0;
-    for (size_t i = 0; i < model->ties.count; i++) {
-        const struct tie *tie = model_tie(model, i);
-        for (int b = 0; b < tie->blocks; b++)
-            count += model->unknown[tie->multiplier + b] >= 0;
-    }
+    for (long v = model->moving; v < model->vectors; v++)
+        count += model->unknown[v] >= 0;
     return count;
 }
 
@@ -262,10 +288,48 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
     return model->fronts ? map_blocks(model, FRONTS, err) : HOBE_NO_MEMORY;
 }
 
+void pattern_mark(const struct hobe_model *model, int dead, unsigned char *touched)
+{
+    load_touch(model, dead, touched);
+    for (size_t i = 0; i < couplings(model); i++)
+        for (int v = 0; v < coupling(model, i)->vectors; v++)
+            touched[coupling(model, i)->vector[v]] = 1;
+    for (long v = model->beam_vectors; v < model->vectors; v++)
+        touched[v] = 1;
+}
+
+enum hobe_status pattern_touch(struct hobe_model *model, struct hobe_error *err)
+{
+    struct touched *t = &model->touched;
+    if (t->at)
+        return HOBE_OK;
+    unsigned char *touched = hobe_alloc((size_t)model->vectors, 1, err);
+    t->vector = touched ? hobe_alloc((size_t)model->unknowns, sizeof *t->vector, err) : NULL;
+    t->at = t->vector ? hobe_alloc((size_t)model->unknowns, sizeof *t->at, err) : NULL;
+    if (t->at)
+        pattern_mark(model, 0, touched);
+    t->count = 0;
+    for (long v = 0; t->at && v < model->vectors; v++)
+        if (model->unknown[v] >= 0) {
+            t->at[model->unknown[v]] = touched[v] ? t->count : -1;
+            t->vector[t->count] = v;
+            t->count += touched[v];
+        }
+    hobe_free(touched);
+    if (t->at && !map_blocks(model, TOUCHED, err))
+        return HOBE_OK;
+    drop_layout(model, TOUCHED);
+    drop_place(&t->vector);
+    drop_place(&t->at);
+    return HOBE_NO_MEMORY;
+}
+
 static size_t values(const struct hobe_model *model, enum layout layout)
 {
-    return layout == FRONTS ? fronts_size(model->fronts)
-                            : (size_t)(9 * model->pattern.start[model->unknowns]);
+    const size_t touched = 3 * (size_t)model->touched.count;
+    return layout == FRONTS    ? fronts_size(model->fronts)
+           : layout == COLUMNS ? (size_t)(9 * model->pattern.start[model->unknowns])
+                               : touched * touched;
 }
 
 enum hobe_status pattern_matrix(const struct hobe_model *model, enum layout layout,
@@ -336,7 +400,10 @@ void pattern_scale(const struct hobe_model *model, const struct matrix *A, doubl
         fronts_scale(model->fronts, A->value, scale);
     else
         scale_columns(&model->pattern, A->value, scale);
-    body_scale(model, scale);
+    if (model->reduction)
+        reduction_scale(model, scale);
+    else
+        body_scale(model, scale);
     if (A->layout == FRONTS)
         fronts_scale_border(model->fronts, A->value, scale);
     else

@@ -12,6 +12,15 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
 /* Lays tangents out in columns as well, and opens model->solver, unless that is done. */
 enum hobe_status pattern_columns(struct hobe_model *model, struct hobe_error *err);
 
+/* touched[vectors] = 1 at those that items act on: loads (load_touch), joints, springs, bodies; and
+ * at multipliers. */
+void pattern_mark(const struct hobe_model *model, int dead, unsigned char *touched);
+
+/* Finds the vectors that are touched, but by dead forces, and lays tangents of these out as well,
+ * unless that is done.
+ */
+enum hobe_status pattern_touch(struct hobe_model *model, struct hobe_error *err);
+
 /* A matrix of the model's pattern with all values zero; the caller frees its values. */
 enum hobe_status pattern_matrix(const struct hobe_model *model, enum layout layout,
                                 struct matrix *matrix, struct hobe_error *err);

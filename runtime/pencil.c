@@ -7,6 +7,7 @@
 #include "inertia.h"
 #include "load.h"
 #include "pattern.h"
+#include "reduction.h"
 #include "solution.h"
 #include "spring.h"
 #include "vector3.h"
@@ -25,7 +26,7 @@ enum {
 void pencil_tangent(struct pencil *s, double factor, double *Ax)
 {
     const struct matrix K = {COLUMNS, Ax};
-    const struct instant instant = solution_instant(s->state);
+    const struct instant instant = solution_instant(s->state, s->model);
     assemble(s->model, s->u, s->r, &K);
     constraint_add(s->model, s->u, &instant, s->r, &K);
     spring_add(s->model, s->u, &instant, s->r, &K);
@@ -209,7 +210,7 @@ static enum hobe_status check_state(const struct pencil *s, const char *what,
                                     struct hobe_error *err)
 {
     const hobe_model *model = s->model;
-    if (s->state && s->state->model != model)
+    if (s->state && !solution_is_of(s->state, model))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "the state belongs to another scene");
     const struct hobe_force *force = s->state || s->buckling ? load_follower(model) : NULL;
     if (force)
@@ -279,7 +280,7 @@ enum hobe_status pencil_open(struct pencil *s, const char *what, struct hobe_err
             return HOBE_NO_MEMORY;
     }
     if (s->state)
-        memcpy(s->u, s->state->u, size * sizeof *s->u);
+        memcpy(s->u, solution_field(s->state, s->model, SOLUTION_U), size * sizeof *s->u);
     for (size_t i = 0; i < n; i++)
         s->ones[i] = 1;
     return HOBE_OK;

@@ -29,7 +29,7 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
     double *r = hobe_alloc(3 * (size_t)model->vectors, sizeof *r, err);
     if (!r)
         return HOBE_NO_MEMORY;
-    const struct instant instant = solution_instant(solution);
+    const struct instant instant = solution_instant(solution, solution->model);
     assemble(model, solution->u, r, NULL);
     constraint_add(model, solution->u, &instant, r, NULL);
     spring_add(model, solution->u, &instant, r, NULL);
@@ -55,7 +55,7 @@ static enum hobe_status from_clamp(const hobe_solution *solution, const struct h
 static enum hobe_status from_tie(const hobe_solution *solution, const struct tie *tie,
                                  struct hobe_reaction *reaction, struct hobe_error *err)
 {
-    const struct instant instant = solution_instant(solution);
+    const struct instant instant = solution_instant(solution, solution->model);
     const enum hobe_status status =
         tie_reaction(tie, solution->u, &instant, reaction->force, reaction->moment, err);
     return status ? status : tie_power(tie, solution->u, &instant, &reaction->power, err);

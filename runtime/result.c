@@ -5,6 +5,7 @@
 #include "around.h"
 #include "body.h"
 #include "element.h"
+#include "reduction.h"
 #include "vector3.h"
 
 #include <string.h>
@@ -25,6 +26,33 @@ static enum hobe_status copy_field(const hobe_model *model, const double *field,
     return *copy ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
+/* The fields of a reduced model as they are, and expanded. */
+static enum hobe_status copy_reduced(const hobe_model *model, const double *const field[3],
+                                     struct hobe_solution *s, struct hobe_error *err)
+{
+    const struct reduction *r = model->reduction;
+    const size_t n = (size_t)(3 * model->vectors), size = (size_t)(3 * r->whole->vectors);
+    double **const to[] = {&s->u, &s->v, &s->w};
+    s->reduced = r->of;
+    s->coordinates = model->vectors;
+    s->q = hobe_alloc(3 * n, sizeof *s->q, err);
+    double *all = hobe_alloc(size, sizeof *all, err);
+    enum hobe_status status = s->q && all ? HOBE_OK : HOBE_NO_MEMORY;
+    for (int i = 0; !status && i < 3 && field[i]; i++) {
+        memcpy(s->q + (size_t)i * n, field[i], n * sizeof *s->q);
+        reduction_expand(model, field[i], i == SOLUTION_U, all);
+        status = copy_field(r->whole, all, to[i], err);
+    }
+    hobe_free(all);
+    return status;
+}
+
+int solution_is_of(const struct hobe_solution *state, const hobe_model *model)
+{
+    const struct reduction *r = model->reduction;
+    return state->model == model_whole(model) && (!r || state->reduced == r->of);
+}
+
 hobe_solution *solution_new(const hobe_model *model, const double *u, const double *v,
                             const double *w, const struct hobe_solution_info *info,
                             struct hobe_error *err)
@@ -32,9 +60,12 @@ hobe_solution *solution_new(const hobe_model *model, const double *u, const doub
     hobe_solution *s = hobe_alloc(1, sizeof *s, err);
     if (!s)
         return NULL;
-    *s = (struct hobe_solution){.model = model, .info = *info};
-    if (!copy_field(model, u, &s->u, err) && !copy_field(model, v, &s->v, err) &&
-        !copy_field(model, w, &s->w, err))
+    *s = (struct hobe_solution){.model = model_whole(model), .info = *info};
+    if (model->reduction) {
+        if (!copy_reduced(model, (const double *const[]){u, v, w}, s, err))
+            return s;
+    } else if (!copy_field(model, u, &s->u, err) && !copy_field(model, v, &s->v, err) &&
+               !copy_field(model, w, &s->w, err))
         return s;
     hobe_solution_free(s);
     return NULL;
@@ -47,6 +78,7 @@ void hobe_solution_free(hobe_solution *solution)
     hobe_free(solution->u);
     hobe_free(solution->v);
     hobe_free(solution->w);
+    hobe_free(solution->q);
     hobe_free(solution);
 }
 
@@ -117,6 +149,11 @@ enum hobe_status solution_smallest_volume(const hobe_model *model, const double 
 {
     enum hobe_status status = HOBE_OK;
     *smallest = INFINITY;
+    if (model->reduction) {
+        reduction_expand(model, u, 1, model->reduction->all);
+        u = model->reduction->all;
+        model = model->reduction->whole;
+    }
     for (size_t i = 0; !status && i < model->beams.count; i++)
         status = smallest_volume(model, model_beam(model, i), u, smallest, err);
     return status;

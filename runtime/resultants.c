@@ -87,7 +87,7 @@ static enum hobe_status from_forces(const hobe_solution *solution, const struct 
     enum hobe_status status =
         loads ? assemble_element(model, beam, e, solution->u, solution->v, f, err) : HOBE_NO_MEMORY;
     if (!status) {
-        const struct instant instant = solution_instant(solution);
+        const struct instant instant = solution_instant(solution, solution->model);
         load_inside(model, solution->u, &instant, solution->info.load, beam, e, loads);
         constraint_inside(model, solution->u, &instant, beam, e, loads);
         spring_inside(model, solution->u, &instant, beam, e, loads);

@@ -2,6 +2,7 @@
 /* Velocities, accelerations and multipliers that fit the constraints. */
 #include "constraint.h"
 #include "genalpha.h"
+#include "mass.h"
 #include "pattern.h"
 
 #include <math.h>
@@ -84,6 +85,22 @@ static enum hobe_status factor_mass(struct genalpha *g, struct hobe_error *err)
     return outcome == ERROR ? (err ? err->status : HOBE_NO_MEMORY) : HOBE_OK;
 }
 
+/* Velocities that a projection can have: v becomes v1 of its space with M (v1 - v) + Phi_q' mu = 0
+ * along that, Phi_q v1 + Phi_t = 0. */
+static enum hobe_status confine(struct genalpha *g, struct hobe_error *err)
+{
+    struct solver *s = &g->s;
+    const hobe_model *model = s->model;
+    memset(s->r, 0, (size_t)(3 * model->vectors) * sizeof *s->r);
+    constraint_rate(model, g->now.u, &s->motion.instant, s->r);
+    mass_force(model, -1, g->now.v, s->r);
+    const enum hobe_status status = solver_solve(s, s->r, -1, s->x, err);
+    memset(g->now.v, 0, (size_t)(3 * model->vectors) * sizeof *g->now.v);
+    if (!status)
+        spread(g, 0, model->moving, g->now.v);
+    return status;
+}
+
 /* M dv + Phi_q' mu = 0, Phi_q dv = -(Phi_q v + Phi_t). */
 static enum hobe_status project(struct genalpha *g, double *changed, struct hobe_error *err)
 {
@@ -109,6 +126,8 @@ enum hobe_status settle(struct genalpha *g, double *changed, struct hobe_error *
     const hobe_model *model = s->model;
     const size_t size = (size_t)(3 * model->vectors) * sizeof(double);
     enum hobe_status status = factor_mass(g, err);
+    if (!status && s->space.count > 0)
+        status = confine(g, err);
     if (!status)
         status = project(g, changed, err);
     if (status)

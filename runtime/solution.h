@@ -10,18 +10,37 @@ struct hobe_solution {
     double *u;     /* [vectors][3] displacements of the nodal vectors, and multipliers */
     double *v, *w; /* [vectors][3] velocities and accelerations; NULL of equilibria */
     struct hobe_solution_info info;
+    /* Of a reduced model, `model` is the whole one; and what was expanded: */
+    const struct hobe_reduced *reduced; /* NULL: it was whole */
+    long coordinates;                   /* vectors of the reduced model */
+    double *q;                          /* [3][coordinates][3] its u, v, w */
 };
 
-/* When a state is, for its constraints and loads; NULL: the reference, where nothing is driven yet.
- */
-static inline struct instant solution_instant(const struct hobe_solution *state)
+/* The fields of a state as its model, or a reduced one of the same shape, has them. */
+enum { SOLUTION_U, SOLUTION_V, SOLUTION_W };
+static inline const double *solution_field(const struct hobe_solution *state,
+                                           const hobe_model *model, int which)
 {
-    return state ? (struct instant){.time = state->info.time, .v = state->v}
+    const double *const whole[] = {state->u, state->v, state->w};
+    return !model->reduction || !whole[which] ? whole[which]
+                                              : state->q + 3 * which * state->coordinates;
+}
+
+/* When a state of a model is, for its constraints and loads; NULL: the reference, where nothing is
+ * driven yet. */
+static inline struct instant solution_instant(const struct hobe_solution *state,
+                                              const hobe_model *model)
+{
+    return state ? (struct instant){.time = state->info.time,
+                                    .v = solution_field(state, model, SOLUTION_V)}
                  : (struct instant){.held_back = 1};
 }
 
+/* Whether it is a state of this very model, whole or reduced. */
+int solution_is_of(const struct hobe_solution *state, const hobe_model *model);
+
 /* A state with copies of the fields [vectors][3], those of joined vectors spread; v and w NULL: an
- * equilibrium.  NULL with err set. */
+ * equilibrium.  Of a reduced model the state of the whole.  NULL with err set. */
 hobe_solution *solution_new(const hobe_model *model, const double *u, const double *v,
                             const double *w, const struct hobe_solution_info *info,
                             struct hobe_error *err);

@@ -9,6 +9,7 @@
 
 #include "drive.h"
 #include "mass.h"
+#include "reduction.h"
 #include "vector3.h"
 
 #include <math.h>
@@ -79,6 +80,15 @@ enum hobe_status spin_build(struct hobe_model *model, struct hobe_error *err)
     return model->arm && field ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
+/* f += (m (x) A) of the arms of the reference. */
+static void add_arms(const struct hobe_model *model, const double A[3][3], double *f)
+{
+    if (model->reduction)
+        reduction_arm_force(model, A, model->spin.about, f);
+    else
+        mass_force_through(model, A, model->arm, f);
+}
+
 void spin_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
                    double factor, double *r, const struct matrix *K)
 {
@@ -88,7 +98,7 @@ void spin_subtract(const struct hobe_model *model, const double *u, const struct
     const int moving = instant->v != NULL;
     const struct turn turn = turn_at(model, instant->time);
     thrown(model, &turn, moving, -factor, A);
-    mass_force_through(model, (const double(*)[3])A, model->arm, r);
+    add_arms(model, (const double(*)[3])A, r);
     mass_force_through(model, (const double(*)[3])A, u, r);
     thrown(model, &turn, moving && K && K->layout == COLUMNS, -factor, A);
     if (K)

@@ -2,6 +2,7 @@
 #include "spring.h"
 
 #include "joint.h"
+#include "reduction.h"
 #include "solution.h"
 #include "vector3.h"
 
@@ -266,12 +267,21 @@ static void add_part(const struct hobe_model *model, const struct spring *spring
                       force, &x, K);
 }
 
-void spring_add(const struct hobe_model *model, const double *u, const struct instant *instant,
-                double *f, const struct matrix *K)
+static void add_springs(const struct hobe_model *model, const double *u,
+                        const struct instant *instant, double factor, double *f,
+                        const struct matrix *K)
 {
+    (void)factor;
     for (size_t i = 0; i < model->springs.count; i++)
         for (int p = 0; p < parts_of(model_spring(model, i)); p++)
             add_part(model, model_spring(model, i), p, u, instant, f, K);
+}
+
+void spring_add(const struct hobe_model *model, const double *u, const struct instant *instant,
+                double *f, const struct matrix *K)
+{
+    if (model_whole(model)->springs.count > 0)
+        reduction_act(model, add_springs, u, instant, 1, f, K);
 }
 
 void spring_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
@@ -309,6 +319,8 @@ void spring_strained(const struct hobe_model *model, const double *u, const doub
 double spring_energy(const struct hobe_model *model, const double *u)
 {
     double energy = 0;
+    u = model->reduction ? reduction_state(model, u) : u;
+    model = model_whole(model);
     for (size_t i = 0; i < model->springs.count; i++) {
         const struct spring *spring = model_spring(model, i);
         for (int p = 0; p < parts_of(spring); p++) {
@@ -323,6 +335,9 @@ double spring_energy(const struct hobe_model *model, const double *u)
 double spring_power(const struct hobe_model *model, const double *u, const double *v)
 {
     double power = 0;
+    u = model->reduction ? reduction_state(model, u) : u;
+    v = model->reduction ? reduction_rates(model, v) : v;
+    model = model_whole(model);
     for (size_t i = 0; i < model->springs.count; i++) {
         const struct spring *spring = model_spring(model, i);
         for (int p = 0; p < parts_of(spring); p++) {

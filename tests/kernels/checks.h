@@ -17,7 +17,12 @@ void check_mass(const struct fixture *fx);
 /* Random states: against the evaluator, and identities of the quartic energy. */
 void check_values(const struct fixture *fx);
 void check_identities(const struct fixture *fx);
-void check_round_off(const struct fixture *fx);
+/* Force and energy at strains of 1e-7 and 1e-10 against the evaluator; and the tangent, which takes
+ * it long, where asked for. */
+void check_round_off(const struct fixture *fx, int tangent);
+
+/* The plan "points" beside the kernel's, and at small strains where asked for. */
+void check_points(struct fixture *fx, int small);
 
 /* Both plans with every symmetry that the section has, against the plan "section" that knows of
  * none; leaves the tensor with the section's own symmetry in use, for the other checks. */

@@ -87,23 +87,30 @@ static number add_stress(real C[6][6], real c, const number *eps, number *sigma)
     return twice / 2;
 }
 
-static void green_lagrange(number F[3][3], number *eps)
+/* A deformation gradient where nothing is strained, and its change. */
+struct gradient {
+    number F0[3][3], H[3][3];
+};
+
+/* E = (F'F - F0'F0)/2 of F = F0 + H, written F0'H + H'F: a small H loses no digits. */
+static void green_lagrange(const struct gradient *at, number *eps)
 {
-    number C[3][3] = {{0}};
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            for (int k = 0; k < 3; k++)
-                C[i][j] += F[k][i] * F[k][j];
-    for (int i = 0; i < 3; i++)
-        eps[i] = (C[i][i] - 1) / 2;
-    eps[3] = C[1][2];
-    eps[4] = C[0][2];
-    eps[5] = C[0][1];
+    static const int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+    for (int r = 0; r < 6; r++) {
+        const int i = voigt[r][0], j = voigt[r][1];
+        number C = 0;
+        for (int k = 0; k < 3; k++)
+            C += at->F0[k][i] * at->H[k][j] + at->H[k][i] * (at->F0[k][j] + at->H[k][j]);
+        eps[r] = r < 3 ? C / 2 : C;
+    }
 }
 
 /* The first Piola-Kirchhoff stress P = F S. */
-static void first_piola(number F[3][3], const number *s, number P[3][3])
+static void first_piola(const struct gradient *at, const number *s, number P[3][3])
 {
+    number F[3][3];
+    for (int i = 0; i < 9; i++)
+        F[i / 3][i % 3] = at->F0[i / 3][i % 3] + at->H[i / 3][i % 3];
     const number S[3][3] = {{s[0], s[5], s[4]}, {s[5], s[1], s[3]}, {s[4], s[3], s[2]}};
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -243,19 +250,14 @@ static void deformation(const struct pw_element *e, int part, real G[PW_VECTORS]
 }
 
 /* The law that spreads the in-plane strain of warping, w[p] at a point, evenly over the section:
- * its energy is that of eps - w + mean(w).  W = F of the warping functions, W0 in the reference. */
-static void spread(int n, const real *weight, real area, number (*W)[3][3], number (*W0)[3][3],
-                   number (*eps)[6])
+ * its energy is that of eps - w + mean(w).  W: of the warping functions. */
+static void spread(int n, const real *weight, real area, const struct gradient *W, number (*eps)[6])
 {
     number w[POINTS][6], mean[6] = {0};
     for (int p = 0; p < n; p++) {
-        number now[6], then[6];
-        green_lagrange(W[p], now);
-        green_lagrange(W0[p], then);
-        for (int i = 1; i < 4; i++) {
-            w[p][i] = now[i] - then[i];
+        green_lagrange(W + p, w[p]);
+        for (int i = 1; i < 4; i++)
             mean[i] += weight[p] / area * w[p][i];
-        }
     }
     for (int p = 0; p < n; p++)
         for (int i = 1; i < 4; i++)
@@ -263,7 +265,7 @@ static void spread(int n, const real *weight, real area, number (*W)[3][3], numb
 }
 
 /* What works on dW: less the stress in the plane at each point, plus its mean. */
-static void spread_stress(int n, const real *weight, real area, number (*W)[3][3],
+static void spread_stress(int n, const real *weight, real area, const struct gradient *W,
                           number (*sigma)[6], number (*P)[3][3])
 {
     number sum[6] = {0};
@@ -274,14 +276,14 @@ static void spread_stress(int n, const real *weight, real area, number (*W)[3][3
         number s[6] = {0};
         for (int i = 1; i < 4; i++)
             s[i] = weight[p] / area * sum[i] - sigma[p][i];
-        first_piola(W[p], s, P[p]);
+        first_piola(W + p, s, P[p]);
     }
 }
 
 /* From F at the points of a section: the energy per length, and P times the weight of each point,
  * whose work on dF is the variation of that energy; of both parts. */
 static number section(const struct pw_beam *beam, const struct law *law, int n, const real *weight,
-                      number (*F[PARTS])[3][3], number (*W0)[3][3], number (*P[PARTS])[3][3])
+                      struct gradient (*F)[POINTS], number (*P)[POINTS][3][3])
 {
     const int axis = n - 1, on_axis = beam->mechanics == PW_AXIS;
     const int even = beam->mechanics == PW_AVERAGE || beam->mechanics == PW_MEAN_SHEAR;
@@ -291,13 +293,13 @@ static number section(const struct pw_beam *beam, const struct law *law, int n, 
     for (int p = 0; p < n; p++)
         area += weight[p];
     for (int p = 0; p < n; p++) {
-        green_lagrange(F[WHOLE][p], eps[p]);
+        green_lagrange(&F[WHOLE][p], eps[p]);
         for (int i = 0; i < 6; i++)
             mean[i] += on_axis ? (p == axis) * eps[p][i] : weight[p] / area * eps[p][i];
     }
     energy += area * add_stress(C.mean, 1, mean, mean_stress);
     if (even)
-        spread(n, weight, area, F[WARPING], W0, eps);
+        spread(n, weight, area, F[WARPING], eps);
     memset(sigma, 0, sizeof sigma);
     for (int p = 0; p < n; p++)
         energy += add_stress(C.volume, weight[p], eps[p], sigma[p]);
@@ -309,7 +311,7 @@ static number section(const struct pw_beam *beam, const struct law *law, int n, 
         real share = on_axis ? (p == axis) * area : weight[p];
         for (int i = 0; i < 6; i++)
             sigma[p][i] += share * mean_stress[i];
-        first_piola(F[WHOLE][p], sigma[p], P[WHOLE][p]);
+        first_piola(&F[WHOLE][p], sigma[p], P[WHOLE][p]);
     }
     return energy;
 }
@@ -318,33 +320,40 @@ static number section(const struct pw_beam *beam, const struct law *law, int n, 
 
 struct station {
     real weight[POINTS], G[POINTS][PW_VECTORS][3];
-    number F[PARTS][POINTS][3][3], P[PARTS][POINTS][3][3];
-    number W0[POINTS][3][3]; /* F[WARPING] in the reference, where warping functions rest or not */
+    struct gradient F[PARTS][POINTS];
+    number P[PARTS][POINTS][3][3];
 };
+
+/* F of a part at a point in state q, which is counted from beam->from or is itself a state; then
+ * nothing is strained where the section's axes are, and functions that warp as in the reference. */
+static void set_gradient(const struct pw_beam *beam, int part, real G[PW_VECTORS][3],
+                         const number *q, struct gradient *at)
+{
+    const struct pw_element *e = &beam->element;
+    const real *rest = beam->from ? beam->from : beam->reference;
+    number q0[PW_DOFS];
+    for (int i = 0; i < 3 * e->vectors; i++)
+        q0[i] = rest ? rest[i] : 0; /* straight: warping functions rest */
+    deformation(e, part, G, q, at->H);
+    if (part == WHOLE && !beam->from)
+        for (int i = 0; i < 9; i++)
+            at->F0[i / 3][i % 3] = i % 4 == 0;
+    else
+        deformation(e, part, G, q0, at->F0);
+    for (int i = 0; !beam->from && i < 9; i++)
+        at->H[i / 3][i % 3] -= at->F0[i / 3][i % 3];
+}
 
 static void set_station(const struct pw_beam *beam, const struct grid *g, int s, const number *q,
                         struct station *station)
 {
-    const struct pw_element *e = &beam->element;
-    number reference[PW_DOFS];
-    for (int i = 0; i < 3 * e->vectors; i++) /* straight: warping functions rest */
-        reference[i] = beam->reference ? beam->reference[i] : 0;
     for (int p = 0; p < g->points; p++) {
         const real *N = g->N[s], *Nx = g->Nx[s];
         station->weight[p] =
             g->weight[p] * gradients(beam, g->xi[s], N, Nx, g->phi[p], station->G[p]);
         for (int part = 0; part < PARTS; part++)
-            deformation(e, part, station->G[p], q, station->F[part][p]);
-        deformation(e, WARPING, station->G[p], reference, station->W0[p]);
+            set_gradient(beam, part, station->G[p], q, &station->F[part][p]);
     }
-}
-
-/* The energy of a station, whose state may be another than its own. */
-static number station_energy(const struct pw_beam *beam, const struct law *law,
-                             const struct grid *g, struct station *t, number (*F[PARTS])[3][3])
-{
-    return section(beam, law, g->points, t->weight, F, t->W0,
-                   (number(*[PARTS])[3][3]){t->P[WHOLE], t->P[WARPING]});
 }
 
 /* f += weight * P : d(dr/dX)/dq at a point. */
@@ -368,9 +377,7 @@ static number evaluate(const struct pw_beam *beam, const number *q, number *f)
     set_grid(beam, &g);
     for (int s = 0; s < g.stations; s++) {
         set_station(beam, &g, s, q, &t);
-        energy +=
-            g.length_weight[s] *
-            station_energy(beam, &law, &g, &t, (number(*[PARTS])[3][3]){t.F[WHOLE], t.F[WARPING]});
+        energy += g.length_weight[s] * section(beam, &law, g.points, t.weight, t.F, t.P);
         for (int p = 0; f && p < g.points; p++)
             add_force(&beam->element, &t, p, g.length_weight[s], f);
     }
@@ -397,15 +404,15 @@ void pw_force(const struct pw_beam *beam, const number *q, number *f)
 static void tangent_column(const struct pw_beam *beam, const struct law *law, const struct grid *g,
                            struct station *t, int s, int column, real *K)
 {
-    static number F[PARTS][POINTS][3][3];
+    static struct gradient F[PARTS][POINTS];
     const real h = 0x1p-100L;
     const struct pw_element *e = &beam->element;
     memcpy(F, t->F, sizeof F);
     for (int part = 0; part < PARTS; part++)
         for (int p = 0; takes_part(e, column / 3, part) && p < g->points; p++)
             for (int j = 0; j < 3; j++)
-                F[part][p][column % 3][j] += I * h * t->G[p][column / 3][j];
-    station_energy(beam, law, g, t, (number(*[PARTS])[3][3]){F[WHOLE], F[WARPING]});
+                F[part][p].H[column % 3][j] += I * h * t->G[p][column / 3][j];
+    section(beam, law, g->points, t->weight, F, t->P);
     for (int p = 0; p < g->points; p++)
         for (int v = 0; v < e->vectors; v++)
             for (int part = 0; part < PARTS; part++)
@@ -455,14 +462,15 @@ void pw_tangent(const struct pw_beam *beam, const real *q, real *K)
 void pw_strain(const struct pw_beam *beam, const real *q, real xi, real y, real z, real *E)
 {
     real N[PW_VECTORS], Nx[PW_VECTORS], phi[3 * PW_MODES], G[PW_VECTORS][3];
-    number position[PW_DOFS], F[3][3], eps[6];
+    number position[PW_DOFS], eps[6];
+    struct gradient F;
     for (int i = 0; i < 3 * beam->element.vectors; i++)
         position[i] = q[i];
     pw_shape(beam, xi, N, Nx);
     pw_modes(beam, y, z, phi);
     gradients(beam, xi, N, Nx, phi, G);
-    deformation(&beam->element, WHOLE, G, position, F);
-    green_lagrange(F, eps);
+    set_gradient(beam, WHOLE, G, position, &F);
+    green_lagrange(&F, eps);
     for (int i = 0; i < 6; i++)
         E[i] = creall(eps[i]);
 }

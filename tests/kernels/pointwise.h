@@ -76,6 +76,7 @@ struct pw_beam {
     int warping_degree;    /* its highest power of y or of z */
     int extra;             /* Gauss points beyond those that integrate exactly (normally 0) */
     const real *reference; /* [3 vectors] curved, pretwisted, distorted; NULL: straight */
+    const real *from;      /* [3 vectors] what q is counted from, a state without strain; NULL: 0 */
     real taper;            /* w grows along the element by the factor 1 + taper xi */
     real J, ys, zs;        /* PW_STRUCTURAL: torsion constant and shear centre, any */
 };

@@ -128,7 +128,8 @@ static void fields(const struct pw_beam *beam, const number *q, const real *N, c
     }
 }
 
-/* Strains of the reference, and its length of arc by x: beam->reference, or straight. */
+/* Strains of the reference, and its length of arc by x: beam->from, beam->reference, or straight.
+ */
 static real rest(const struct pw_beam *beam, const real *N, const real *Nx, dual *s)
 {
     static const real straight[STRAINS] = {1, 0, 0, 0, 0, 0, 0.5L, 0.5L, 0};
@@ -136,10 +137,11 @@ static real rest(const struct pw_beam *beam, const real *N, const real *Nx, dual
     dual D[FIELDS][3];
     for (int k = 0; k < STRAINS; k++)
         s[k] = (dual){straight[k], 0};
-    if (!beam->reference)
+    const real *reference = beam->from ? beam->from : beam->reference;
+    if (!reference)
         return 1;
     for (int i = 0; i < 3 * beam->element.vectors; i++)
-        q0[i] = beam->reference[i];
+        q0[i] = reference[i];
     fields(beam, q0, N, Nx, -1, D);
     strains(D, s);
     return sqrtl(creall(dot(D[SLOPE], D[SLOPE]).v));
@@ -170,8 +172,11 @@ static number point(const struct pw_beam *beam, const number *q, real xi, real w
     return energy;
 }
 
-number pw_rod(const struct pw_beam *beam, const number *q, number *f)
+number pw_rod(const struct pw_beam *beam, const number *change, number *f)
 {
+    number q[PW_DOFS];
+    for (int i = 0; i < 3 * beam->element.vectors; i++)
+        q[i] = change[i] + (beam->from ? beam->from[i] : 0);
     const real third = 1 / 3.0L, gauss = 0.5L / sqrtl(3), l = beam->length;
     number energy = 0;
     for (int p = -1; p <= 1; p += 2)

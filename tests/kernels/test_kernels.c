@@ -35,11 +35,13 @@ static void check_kernel(const struct hobe_kernel *kernel)
             check_mass(&fx);
         }
         check_values(&fx);
-        check_round_off(&fx);
+        check_round_off(&fx, first(law));
         check_identities(&fx);
         check_rigid(&fx);
-        if (law != PW_STRUCTURAL)
+        if (law != PW_STRUCTURAL) {
             check_homogeneous(&fx);
+            check_points(&fx, first(law));
+        }
         if (!fx.known && first(law))
             printf("note: the evaluator does not know %s: checked for consistency only\n",
                    kernel->name);
@@ -57,8 +59,10 @@ static void check_curved(const struct hobe_kernel *kernel)
         fixture_open_curved(&fx, kernel, (enum pw_mechanics)law);
         if (fx.known) {
             check_values(&fx);
-            check_round_off(&fx);
+            check_round_off(&fx, first(law));
             check_rigid(&fx);
+            if (law != PW_STRUCTURAL)
+                check_points(&fx, 0);
             if (first(law))
                 check_strain(&fx);
             if (law == PW_AVERAGE) /* a rod's points are not the evaluator's of the volume */
@@ -78,7 +82,7 @@ static void check_products(const struct hobe_kernel *kernel)
                 continue;
             fixture_open_symmetric(&fx, kernel, (enum pw_mechanics)law, symmetry);
             check_plans(&fx);
-            check_round_off(&fx);
+            check_round_off(&fx, first(law) && symmetry == HOBE_SYMMETRIES - 1);
             check_rigid(&fx);
             if (first(law))
                 check_identities(&fx);

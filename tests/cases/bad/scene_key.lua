@@ -1,4 +1,4 @@
--- expect: bad/scene_key\.lua:5: scene: unknown key "gravity"; a scene is a list of items$
+-- expect: bad/scene_key\.lua:5: scene: unknown key "gravity"; a scene is a list of items, and may have accuracy and quantities$
 local hobe = require "hobe"
 local section = hobe.rectangle{ width = 0.01, height = 0.02 }
 local steel = { E = 210e9, nu = 0.3, rho = 7850 }

@@ -1,0 +1,351 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Climbs a ladder: runs its models in turn, and says how wrong and how dear each is. */
+#include "ladder.h"
+
+#include "model.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const int FEWEST_ROUNDS = 3;
+
+/* s: as long as they take, rounds beyond the fewest are run. */
+static const double LONG_ENOUGH = 10;
+
+/* Meshes of the converged run, as multiples of the finest rung's. */
+static const int CONVERGED_COARSE = 2, CONVERGED_FINE = 4;
+
+/* ---- quantities ----------------------------------------------------------------------------- */
+
+static const struct ladder_line *find_value(const struct ladder_record *record, const char *name)
+{
+    const struct ladder_line *line;
+    for (int i = 0; (line = ladder_find(record, "value", 5, i)); i++)
+        if (!strcmp(line->word[1], name))
+            return line;
+    return NULL;
+}
+
+static enum hobe_status add_quantity(struct ladder *ladder, const struct ladder_line *value,
+                                     double truth, struct hobe_error *err)
+{
+    struct ladder_quantity *quantity = &ladder->quantity[ladder->quantities++];
+    *quantity =
+        (struct ladder_quantity){ladder_copy(value->word[1], err), ladder_copy(value->word[2], err),
+                                 truth, ladder_number(value->word[4])};
+    return quantity->name && quantity->unit ? HOBE_OK : HOBE_NO_MEMORY;
+}
+
+/* Those that the case names; else those of the report that have an expected value; else all. */
+static enum hobe_status read_quantities(const struct ladder_record *record, struct ladder *ladder,
+                                        struct hobe_error *err)
+{
+    const struct ladder_line *line, *value;
+    enum hobe_status status = HOBE_OK;
+    ladder->quantity = hobe_alloc((size_t)record->lines, sizeof *ladder->quantity, err);
+    if (!ladder->quantity)
+        return HOBE_NO_MEMORY;
+    for (int i = 0; !status && (line = ladder_find(record, "quantity", 3, i)); i++) {
+        if (!(value = find_value(record, line->word[1])))
+            return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                             "hobe.chart names %s, which the report does not have", line->word[1]);
+        status = add_quantity(ladder, value, ladder_number(line->word[2]), err);
+    }
+    for (int all = 0; all < 2 && ladder->quantities == 0; all++)
+        for (int i = 0; !status && (value = ladder_find(record, "value", 5, i)); i++)
+            if (all || !isnan(ladder_number(value->word[4])))
+                status = add_quantity(ladder, value, NAN, err);
+    if (!status && ladder->quantities == 0)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "the case reports no value; a chart shows the errors of hobe.report's");
+    return status;
+}
+
+/* The quantities of a run; 0 with the sentence where it lacks one. */
+static int read_values(const struct ladder *ladder, const struct ladder_record *record,
+                       double *value, struct hobe_text *why)
+{
+    for (int q = 0; q < ladder->quantities; q++) {
+        const struct ladder_line *line = find_value(record, ladder->quantity[q].name);
+        value[q] = line ? ladder_number(line->word[3]) : NAN;
+        if (isfinite(value[q]))
+            continue;
+        hobe_text_add(why, "it reports no number for %s", ladder->quantity[q].name);
+        return 0;
+    }
+    return 1;
+}
+
+/* ---- runs ----------------------------------------------------------------------------------- */
+
+/* One run of a model and what is common to all: its record, to be freed, and its sentence where it
+ * fails. */
+static enum hobe_status run(const struct ladder_options *options, const struct ladder *ladder,
+                            const char *what, const char *model, struct ladder_record *record,
+                            struct hobe_text *why, double *seconds, struct hobe_error *err)
+{
+    struct hobe_text words = {0};
+    *record = (struct ladder_record){0};
+    hobe_text_add(&words, "%s%s", model, ladder->common.at ? ladder->common.at : "");
+    const char *said = words.at ? words.at : "";
+    enum hobe_status status = hobe_text_check(&words, err);
+    if (!status && options->progress)
+        options->progress(what, said);
+    if (!status)
+        status = options->run(options->context, said, record, why, seconds, err);
+    hobe_text_free(&words);
+    return status ? status : hobe_text_check(why, err);
+}
+
+/* Asks the case, at the first values given, what it measures and which models it has. */
+static enum hobe_status ask(const struct ladder_options *options, struct ladder *ladder,
+                            struct ladder_record *record, struct hobe_error *err)
+{
+    struct hobe_text why = {0}, words = {0};
+    double seconds;
+    for (int i = 0; i < options->given; i++)
+        hobe_text_add(&words, " %s=%s", options->axis[i].name, options->axis[i].value[0]);
+    enum hobe_status status = hobe_text_check(&words, err);
+    if (!status)
+        status =
+            run(options, ladder, "asking", words.at ? words.at : "", record, &why, &seconds, err);
+    if (!status && why.size > 0)
+        status = hobe_fail(err, HOBE_BAD_INPUT, NULL, "%s", why.at);
+    hobe_text_free(&why);
+    hobe_text_free(&words);
+    status = status ? status : read_quantities(record, ladder, err);
+    return status ? status : ladder_make_rungs(options, record, ladder, err);
+}
+
+/* Adds the clocks of a run to its rung; 0 with the sentence where they stood still. */
+static int keep_clocks(struct ladder_rung *rung, const struct ladder_record *record,
+                       struct hobe_text *why)
+{
+    const struct ladder_line *cost = ladder_find(record, "cost", 4, 0);
+    const struct ladder_line *memory = ladder_find(record, "memory", 2, 0);
+    const double setup = cost ? ladder_number(cost->word[1]) : 0,
+                 solve = cost ? ladder_number(cost->word[2]) : 0;
+    if (!(setup + solve > 0)) {
+        hobe_text_add(why, "it solves no scene, so that its cost is not known");
+        return 0;
+    }
+    rung->sample[LADDER_SETUP][rung->rounds] = setup;
+    rung->sample[LADDER_SOLVE][rung->rounds] = solve;
+    rung->sample[LADDER_TOTAL][rung->rounds] = setup + solve;
+    rung->rounds++;
+    rung->unknowns = ladder_number(cost->word[3]);
+    rung->bytes = fmax(rung->bytes, memory ? ladder_number(memory->word[1]) : 0);
+    return 1;
+}
+
+static enum hobe_status run_rung(const struct ladder_options *options, const struct ladder *ladder,
+                                 struct ladder_rung *rung, const char *what, struct hobe_error *err)
+{
+    struct ladder_record record;
+    struct hobe_text why = {0};
+    enum hobe_status status =
+        run(options, ladder, what, rung->model, &record, &why, &rung->wasted, err);
+    const int done = !status && why.size == 0 && read_values(ladder, &record, rung->value, &why) &&
+                     keep_clocks(rung, &record, &why);
+    if (!status && !done && !(rung->why = ladder_copy(why.at ? why.at : "", err)))
+        status = HOBE_NO_MEMORY;
+    ladder_record_free(&record);
+    hobe_text_free(&why);
+    return status;
+}
+
+static enum hobe_status run_rounds(const struct ladder_options *options, struct ladder *ladder,
+                                   struct hobe_error *err)
+{
+    const double start = hobe_seconds();
+    enum hobe_status status = HOBE_OK;
+    for (int round = 0; !status && round < LADDER_ROUNDS; round++) {
+        char what[40];
+        if (round >= FEWEST_ROUNDS && (options->quick || hobe_seconds() - start > LONG_ENOUGH))
+            break;
+        snprintf(what, sizeof what, "round %d:", round + 1);
+        for (int i = 0; !status && i < ladder->rungs; i++)
+            if (!ladder->rung[i].why)
+                status = run_rung(options, ladder, &ladder->rung[i], what, err);
+    }
+    return status;
+}
+
+/* ---- the truth ------------------------------------------------------------------------------ */
+
+/* |x - truth|, relative where the truth is not 0 */
+static double difference(double x, double truth)
+{
+    return truth != 0 ? fabs(x - truth) / fabs(truth) : fabs(x);
+}
+
+/* Says the reference model: the case's word for it, with so many elements (0: as it says). */
+static void say_reference(const struct ladder_record *record, double elements,
+                          struct hobe_text *words)
+{
+    const struct ladder_line *line;
+    for (int i = 0; (line = ladder_find(record, "reference", 3, i)); i++)
+        if (strcmp(line->word[1], "elements"))
+            hobe_text_add(words, "%s%s=%s", words->size > 0 ? " " : "", line->word[1],
+                          line->word[2]);
+    hobe_text_add(words, "%selements=%.0f", words->size > 0 ? " " : "", elements);
+}
+
+/* The meshes of the two converged runs: that which the case names, and twice it. */
+static int choose_meshes(const struct ladder_record *record, const struct ladder *ladder,
+                         double *elements)
+{
+    const struct ladder_line *line;
+    const double most = ladder_most(ladder, "elements");
+    elements[0] = CONVERGED_COARSE * most;
+    elements[1] = CONVERGED_FINE * most;
+    for (int i = 0; (line = ladder_find(record, "reference", 3, i)); i++)
+        if (!strcmp(line->word[1], "elements")) {
+            elements[0] = ladder_number(line->word[2]);
+            elements[1] = 2 * elements[0];
+        }
+    return elements[0] >= 1;
+}
+
+/* Runs the k-th of the two models that stand for the truth: value[quantities]. */
+static enum hobe_status run_reference(const struct ladder_options *options,
+                                      const struct ladder_record *record, double elements, int k,
+                                      struct ladder *ladder, double *value, struct hobe_error *err)
+{
+    struct ladder_record run_record;
+    struct hobe_text words = {0}, why = {0};
+    double seconds;
+    say_reference(record, elements, &words);
+    enum hobe_status status = hobe_text_check(&words, err);
+    ladder->reference.model[k] = status ? NULL : ladder_copy(words.at, err);
+    hobe_text_free(&words);
+    if (!ladder->reference.model[k])
+        return HOBE_NO_MEMORY;
+    status = run(options, ladder, "reference:", ladder->reference.model[k], &run_record, &why,
+                 &seconds, err);
+    if (!status && (why.size > 0 || !read_values(ladder, &run_record, value, &why)))
+        status = hobe_fail(err, HOBE_BAD_INPUT, NULL, "the reference, %s, fails: %s",
+                           ladder->reference.model[k], why.at ? why.at : "");
+    ladder_record_free(&run_record);
+    hobe_text_free(&why);
+    return status;
+}
+
+/* Makes a converged run stand for what nobody knows. */
+static enum hobe_status converge(const struct ladder_options *options,
+                                 const struct ladder_record *record, struct ladder *ladder,
+                                 struct hobe_error *err)
+{
+    const size_t n = (size_t)ladder->quantities;
+    double elements[2], *value;
+    if (!choose_meshes(record, ladder, elements))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "the truth is not known, and there is no parameter elements along which a "
+                         "run would converge; hobe.chart takes truth = {name = value}");
+    value = hobe_alloc(2 * n, sizeof *value, err);
+    enum hobe_status status = value ? HOBE_OK : HOBE_NO_MEMORY;
+    for (int k = 0; !status && k < 2; k++)
+        status = run_reference(options, record, elements[k], k, ladder, value + (size_t)k * n, err);
+    for (int q = 0; !status && q < ladder->quantities; q++) {
+        struct ladder_quantity *quantity = &ladder->quantity[q];
+        if (!isnan(quantity->truth))
+            continue;
+        quantity->truth = value[n + (size_t)q];
+        ladder->reference.apart =
+            fmax(ladder->reference.apart, difference(value[q], quantity->truth));
+    }
+    hobe_free(value);
+    return status;
+}
+
+static enum hobe_status find_truth(const struct ladder_options *options,
+                                   const struct ladder_record *record, struct ladder *ladder,
+                                   struct hobe_error *err)
+{
+    int unknown = 0;
+    for (int q = 0; q < ladder->quantities; q++) {
+        struct ladder_quantity *quantity = &ladder->quantity[q];
+        if (isnan(quantity->truth) && ladder->common.size == 0)
+            quantity->truth = quantity->expect;
+        unknown += isnan(quantity->truth);
+    }
+    return unknown > 0 ? converge(options, record, ladder, err) : HOBE_OK;
+}
+
+/* ---- errors, cost and the front ------------------------------------------------------------- */
+
+static void weigh(const struct ladder *ladder, struct ladder_rung *rung)
+{
+    for (int t = 0; t < LADDER_TIMES; t++)
+        rung->time[t] =
+            bench_time(&(struct bench_work){.rounds = rung->rounds, .sample = rung->sample[t]});
+    for (int q = 0; q < ladder->quantities; q++) {
+        rung->error[q] = difference(rung->value[q], ladder->quantity[q].truth);
+        rung->worst = fmax(rung->worst, rung->error[q]);
+    }
+}
+
+/* By cost, and by error where that is the same; those that failed behind. */
+static int by_cost(const void *a, const void *b)
+{
+    const struct ladder_rung *x = a, *y = b;
+    if (!x->why != !y->why)
+        return !x->why ? -1 : 1;
+    const double s = x->time[LADDER_TOTAL].median, t = y->time[LADDER_TOTAL].median;
+    return s != t ? (s > t) - (s < t) : (x->worst > y->worst) - (x->worst < y->worst);
+}
+
+/* Pareto's: in the order of cost, those which are better than all before. */
+static void draw_front(struct ladder *ladder)
+{
+    double best = INFINITY;
+    for (int i = 0; i < ladder->rungs && !ladder->rung[i].why; i++) {
+        ladder->rung[i].front = ladder->rung[i].worst < best;
+        best = fmin(best, ladder->rung[i].worst);
+    }
+}
+
+enum hobe_status ladder_climb(const struct ladder_options *options, struct ladder *ladder,
+                              struct hobe_error *err)
+{
+    struct ladder_record record;
+    *ladder = (struct ladder){0};
+    enum hobe_status status = ask(options, ladder, &record, err);
+    status = status ? status : find_truth(options, &record, ladder, err);
+    status = status ? status : run_rounds(options, ladder, err);
+    ladder_record_free(&record);
+    if (options->progress)
+        options->progress("", "");
+    if (status)
+        return status;
+    for (int i = 0; i < ladder->rungs; i++)
+        if (!ladder->rung[i].why)
+            weigh(ladder, &ladder->rung[i]);
+    qsort(ladder->rung, (size_t)ladder->rungs, sizeof *ladder->rung, by_cost);
+    draw_front(ladder);
+    return HOBE_OK;
+}
+
+void ladder_free(struct ladder *ladder)
+{
+    for (int q = 0; q < ladder->quantities; q++) {
+        hobe_free(ladder->quantity[q].name);
+        hobe_free(ladder->quantity[q].unit);
+    }
+    for (int i = 0; i < ladder->rungs; i++) {
+        hobe_free(ladder->rung[i].model);
+        hobe_free(ladder->rung[i].kind);
+        hobe_free(ladder->rung[i].why);
+        hobe_free(ladder->rung[i].value);
+        hobe_free(ladder->rung[i].error);
+    }
+    for (int k = 0; k < 2; k++)
+        hobe_free(ladder->reference.model[k]);
+    ladder_free_groups(ladder);
+    hobe_text_free(&ladder->common);
+    hobe_free(ladder->quantity);
+    hobe_free(ladder->rung);
+    *ladder = (struct ladder){0};
+}

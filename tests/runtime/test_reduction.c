@@ -1,0 +1,325 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reduced models against the whole ones.  With all unknowns in the basis both are the same,
+ * whatever acts on them: at rest, vibrating, and in motion. */
+#include "check.h"
+#include "model.h"
+#include "scene.h"
+#include "solution.h"
+#include "vector3.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of displacements, velocities and frequencies, relative: what is left of Newton's iterations and
+ * of sums in another order.  Where a hinge lets a beam turn as a whole, in fields that are fixed,
+ * strains of (0.1 rad)^2/2 cancel, which are 1e4 times those of the loads, and velocities, from
+ * displacements over steps of 5 ms, feel 400 times what is left. */
+static const double SAME = 1e-9, SAME_TURNED = 1e-7;
+static double same; /* that of the scene */
+
+static void expect_ok(enum hobe_status status, const struct hobe_error *err)
+{
+    if (status)
+        check_stop("%s", err->message);
+}
+
+/* ---- bases ----------------------------------------------------------------------------------- */
+
+/* As many fields as the beams have unknowns, random ones: [*count][vectors][3]. */
+static double *all_fields(const hobe_model *model, int *count)
+{
+    const long size = 3 * model->vectors;
+    *count = 0;
+    for (long v = 0; v < model->beam_vectors; v++)
+        *count += 3 * (model->unknown[v] >= 0);
+    double *field = calloc((size_t)(*count * size), sizeof *field);
+    long j = 0;
+    for (long v = 0; v < model->beam_vectors; v++)
+        for (int a = 0; a < 3 && model->unknown[v] >= 0; a++, j++)
+            for (long w = 0; w < model->beam_vectors; w++)
+                for (int c = 0; c < 3 && model->unknown[w] >= 0; c++)
+                    field[j * size + 3 * w + c] =
+                        (v == w && a == c ? 3 : 0) + random_real(-0.1, 0.1);
+    for (j = 0; j < *count; j++) /* joined vectors move together */
+        for (long v = 0; v < model->beam_vectors; v++)
+            memcpy(field + j * size + 3 * v, field + j * size + 3 * model->alias[v],
+                   3 * sizeof *field);
+    return field;
+}
+
+static hobe_reduced *reduce(hobe_model *model, const struct hobe_reduce *options)
+{
+    struct hobe_error err;
+    hobe_reduced *reduced;
+    expect_ok(hobe_reduce(model, options, &reduced, &err), &err);
+    return reduced;
+}
+
+static hobe_model *small_of(const hobe_reduced *reduced, hobe_model *model)
+{
+    struct hobe_error err;
+    hobe_model *small;
+    expect_ok(hobe_reduced_model(reduced, model, &small, &err), &err);
+    return small;
+}
+
+/* A basis of all unknowns. */
+static hobe_reduced *keep_all(hobe_model *model)
+{
+    struct hobe_error err;
+    struct hobe_reduce options = {.method = HOBE_REDUCE_FIELDS};
+    struct hobe_reduced_info info;
+    expect_ok(hobe_model_build(model, &err), &err);
+    double *field = all_fields(model, &options.fields);
+    options.field = field;
+    hobe_reduced *reduced = reduce(model, &options);
+    hobe_reduced_info(reduced, &info);
+    check_that(info.unknowns == options.fields, "%d of %d fields are kept", info.unknowns,
+               options.fields);
+    free(field);
+    return reduced;
+}
+
+/* ---- what is compared ------------------------------------------------------------------------ */
+
+/* Two fields of the same model, relative to the larger one. */
+static void same_field(const hobe_model *model, const double *a, const double *b, const char *what)
+{
+    double size = 0, apart = 0;
+    for (long i = 0; i < 3 * model->moving; i++) {
+        size = fmax(size, fabs(a[i]));
+        apart = fmax(apart, fabs(a[i] - b[i]));
+    }
+    check_that(apart <= same * size, "%s: %g apart of %g", what, apart, size);
+}
+
+/* To a residual of 1e-11: projected sums round more than those of elements. */
+static hobe_solution *rest(hobe_model *model)
+{
+    struct hobe_error err;
+    hobe_solution *solution;
+    const struct hobe_newton options = {.steps = 4, .tolerance = 1e-11};
+    expect_ok(hobe_static(model, &options, &solution, &err), &err);
+    return solution;
+}
+
+static void same_at_rest(hobe_model *whole, hobe_model *small, const char *what)
+{
+    hobe_solution *a = rest(whole), *b = rest(small);
+    same_field(whole, a->u, b->u, what);
+    check_relative(info_of(b).energy, info_of(a).energy, 10 * same, "%s: energy", what);
+    check_relative(info_of(b).smallest_volume, info_of(a).smallest_volume, same, "%s: volume",
+                   what);
+    hobe_solution_free(a);
+    hobe_solution_free(b);
+}
+
+static void same_modes(hobe_model *whole, hobe_model *small, int loaded, const char *what)
+{
+    enum { MODES = 4 };
+    hobe_solution *state[2] = {loaded ? rest(whole) : NULL, loaded ? rest(small) : NULL};
+    hobe_modes *a = modes_of(whole, state[0], MODES, HOBE_MODAL_AUTO);
+    hobe_modes *b = modes_of(small, state[1], MODES, HOBE_MODAL_AUTO);
+    check_relative(modes_info(b).mass, modes_info(a).mass, same, "%s: mass", what);
+    for (int i = 0; i < MODES; i++)
+        check_relative(mode_of(b, i).omega2, mode_of(a, i).omega2, 10 * same, "%s: mode %d", what,
+                       i);
+    hobe_modes_free(a);
+    hobe_modes_free(b);
+    hobe_solution_free(state[0]);
+    hobe_solution_free(state[1]);
+}
+
+static hobe_history *move(hobe_model *model, double to, int steps)
+{
+    struct hobe_error err;
+    hobe_history *history;
+    const struct hobe_dynamic options = {
+        .to = to, .step = to / steps, .store = to, .tolerance = 1e-12};
+    expect_ok(hobe_dynamic(model, &options, &history, &err), &err);
+    return history;
+}
+
+/* Energies and momenta, relative to the larger of kinetic and strain energy, and to size m v. */
+static void same_energies(const struct hobe_energies *a, const struct hobe_energies *b,
+                          const char *what)
+{
+    const double size = fmax(a->kinetic, a->strain);
+    const double x[] = {a->kinetic, a->strain, a->loads, a->drives, a->damped};
+    const double y[] = {b->kinetic, b->strain, b->loads, b->drives, b->damped};
+    for (size_t i = 0; i < sizeof x / sizeof *x; i++)
+        check_absolute(y[i], x[i], 10 * same * size, "%s: energy %d", what, (int)i);
+    for (int i = 0; i < 3; i++) {
+        check_absolute(b->momentum[i], a->momentum[i], same * norm(a->momentum), "%s: momentum",
+                       what);
+        check_absolute(b->angular_momentum[i], a->angular_momentum[i],
+                       same * norm(a->angular_momentum), "%s: angular momentum", what);
+    }
+    check_absolute(b->violation, a->violation, same, "%s: constraints", what);
+    check_absolute(b->violation_rate, a->violation_rate, 1e-6, /* they are of order h^2 */
+                   "%s: rates of constraints", what);
+}
+
+static void same_motion(hobe_model *whole, hobe_model *small, double to, const char *what)
+{
+    hobe_history *a = move(whole, to, 20), *b = move(small, to, 20);
+    const hobe_solution *x = hobe_history_state(a, 1), *y = hobe_history_state(b, 1);
+    same_field(whole, x->u, y->u, what);
+    same_field(whole, x->v, y->v, what);
+    same_energies(hobe_history_energies(a, 1), hobe_history_energies(b, 1), what);
+    hobe_history_free(a);
+    hobe_history_free(b);
+}
+
+/* ---- scenes ---------------------------------------------------------------------------------- */
+
+static struct hobe_beam soft_beam(const hobe_section *section, int elements)
+{
+    struct hobe_beam beam = beam_along_x("MGD30", elements, section, 1e7, 0.3, 1);
+    beam.material.rho = 1000;
+    return beam;
+}
+
+static void add_gravity(hobe_model *model, hobe_drive *history)
+{
+    struct hobe_error err;
+    expect_ok(hobe_model_gravity_history(model, NULL, (const double[3]){1, 0, -5}, history, &err),
+              &err);
+}
+
+static void add_spring(hobe_model *model, const struct hobe_spring *spring)
+{
+    struct hobe_error err;
+    expect_ok(hobe_model_spring(model, spring, &err), &err);
+}
+
+/* A cantilever with a mass, a spring, and loads that depend on the state; `turning`: one among them
+ * turns with the section. */
+static hobe_model *loaded(const hobe_section *section, int turning)
+{
+    struct hobe_error err;
+    struct hobe_beam beam = soft_beam(section, 2);
+    beam.damping.mass = 2;
+    hobe_model *model = cantilever(&beam, 0);
+    add_force(model, "beam", 1, random_real(-5, 5), random_real(-5, 5), random_real(-5, 5));
+    add_moment(model, "beam", 0.7, random_real(-3, 3), random_real(-3, 3), random_real(-3, 3));
+    if (turning)
+        add_follower(model, "beam", 0.8, 5, random_real(-5, 5), 3);
+    add_spring(
+        model,
+        &(struct hobe_spring){
+            .beam = {"beam"}, .at = {0.9}, .to = {1, 0.4, 0.2}, .stiffness = {40}, .damping = {3}});
+    expect_ok(hobe_model_mass(model,
+                              &(struct hobe_mass){.beam = "beam", .at = 0.6, .y = 0.02, .mass = 2},
+                              &err),
+              &err);
+    add_gravity(model, NULL);
+    return model;
+}
+
+static void loads(const hobe_section *section)
+{
+    same = SAME;
+    for (int turning = 0; turning < 2; turning++) {
+        const char *what = turning ? "cantilever, follower" : "cantilever";
+        hobe_model *whole = loaded(section, turning);
+        hobe_reduced *reduced = keep_all(whole);
+        hobe_model *small = small_of(reduced, whole);
+        same_at_rest(whole, small, what);
+        same_modes(whole, small, !turning, what);
+        same_motion(whole, small, 0.1, what);
+        hobe_model_free(small);
+        hobe_reduced_free(reduced);
+        hobe_model_free(whole);
+    }
+}
+
+/* A beam on a hinge, driven or not, with a body at its end. */
+static hobe_model *hinged(const hobe_section *section, hobe_drive *angle, hobe_drive *weight)
+{
+    struct hobe_error err;
+    struct hobe_beam beam = soft_beam(section, 2);
+    hobe_model *model = new_model();
+    add_beam(model, &beam);
+    add_body(model, &(struct hobe_body){.name = "body",
+                                        .density = 3000,
+                                        .shape = HOBE_SHAPE_BOX,
+                                        .size = {0.1, 0.15, 0.2},
+                                        .centre = {1.1, 0.05, 0}});
+    add_joint(model, &(struct hobe_joint){.beam = {"beam"},
+                                          .name = "hinge",
+                                          .kind = HOBE_JOINT_REVOLUTE,
+                                          .axis = {0, 1, 0},
+                                          .angle = angle});
+    add_joint(model,
+              &(struct hobe_joint){.beam = {"beam", "body"}, .at = {1}, .kind = HOBE_JOINT_FIXED});
+    add_gravity(model, weight);
+    if (!angle)
+        expect_ok(
+            hobe_model_motion(model, &(struct hobe_motion){.angular_velocity = {0, 1, 0}}, &err),
+            &err);
+    return model;
+}
+
+static void joints(const hobe_section *section)
+{
+    struct hobe_error err;
+    hobe_drive *angle =
+        hobe_drive_points(2, (const double[][2]){{0, 0}, {0.4, 0.5}}, HOBE_RAMP, 0, &err);
+    hobe_drive *weight =
+        hobe_drive_points(2, (const double[][2]){{0, 0.2}, {1, 1}}, HOBE_LINEAR, 0, &err);
+    same = SAME_TURNED;
+    for (int driven = 0; driven < 2; driven++) {
+        const char *what = driven ? "driven hinge" : "hinge";
+        hobe_model *whole = hinged(section, driven ? angle : NULL, weight);
+        hobe_reduced *reduced = keep_all(whole);
+        hobe_model *small = small_of(reduced, whole);
+        if (driven)
+            same_at_rest(whole, small, what);
+        if (driven)
+            same_modes(whole, small, 1, what);
+        same_motion(whole, small, 0.1, what);
+        hobe_model_free(small);
+        hobe_reduced_free(reduced);
+        hobe_model_free(whole);
+    }
+    hobe_drive_free(angle);
+    hobe_drive_free(weight);
+}
+
+/* Two arms in a row in a frame that turns. */
+static void spins(const hobe_section *section)
+{
+    struct hobe_error err;
+    struct hobe_beam beam = soft_beam(section, 1);
+    struct hobe_spin spin = {.speed = 3, .about = {0.1, 0.2, -0.1}};
+    hobe_model *whole = cantilever(&beam, 0);
+    beam.name = "second";
+    beam.from[0] = 1;
+    beam.to[0] = random_real(1.4, 1.8);
+    add_beam(whole, &beam);
+    add_join(whole, "beam", 1, "second", 0);
+    same = SAME;
+    random_direction(spin.axis);
+    expect_ok(hobe_model_spin(whole, &spin, &err), &err);
+    hobe_reduced *reduced = keep_all(whole);
+    hobe_model *small = small_of(reduced, whole);
+    same_at_rest(whole, small, "spin");
+    same_modes(whole, small, 1, "spin");
+    same_motion(whole, small, 0.1, "spin");
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_model_free(whole);
+}
+
+int main(void)
+{
+    random_start();
+    hobe_section *section = rectangle(0.1, 0.2);
+    loads(section);
+    joints(section);
+    spins(section);
+    hobe_section_free(section);
+    return check_report();
+}
