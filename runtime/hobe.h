@@ -866,9 +866,10 @@ struct hobe_history_info {
     long factorisations;
     double time;                        /* reached, s */
     double smallest_step, largest_step; /* taken, s */
-    long projected;     /* unknowns of a projection, multipliers included; 0: none */
-    int linearisations; /* how often its modes were found */
-    double seconds;     /* in hobe_dynamic without set-up */
+    double largest_error; /* of displacements in a step, relative to the scene's size */
+    long projected;       /* unknowns of a projection, multipliers included; 0: none */
+    int linearisations;   /* how often its modes were found */
+    double seconds;       /* in hobe_dynamic without set-up */
 };
 
 /* The motion of a model under its loads, all of them on: M w + F(q) + Phi_q' lambda = Q(q, v, t),
@@ -1213,11 +1214,11 @@ struct hobe_reduce {
 
 struct hobe_reduced_info {
     enum hobe_reduce_method method;
-    int unknowns;   /* q */
-    int closed;     /* as in hobe_reduce */
-    long whole;     /* unknowns of the model */
+    int unknowns;    /* q */
+    int closed;      /* as in hobe_reduce */
+    long whole;      /* unknowns of the model */
     double accuracy; /* that was asked for, or 0 */
-    double seconds; /* offline: basis and energy; of one that was read, to read it */
+    double seconds;  /* offline: basis and energy; of one that was read, to read it */
 };
 
 /* Makes the basis and the energy on it.  HOBE_BAD_INPUT for elements whose energy is not quartic,
