@@ -1197,7 +1197,9 @@ enum hobe_reduce_method {
 struct hobe_reduce {
     enum hobe_reduce_method method;
     int modes;       /* unknowns q, at most; 0: as many as accuracy needs, or 12 */
-    double accuracy; /* relative, of the displacements under the loads of interest; 0: modes say */
+    double accuracy; /* relative, of the displacements under the loads of interest: so many fields,
+                        and what they lack there besides; hobe_static refuses what is less accurate
+                        under others (HOBE_NOT_CONVERGED).  0: modes say */
     const hobe_solution *centre; /* u_c: a state of the model, copied; NULL: the reference */
     int closed; /* 0; 3: with each field its components along all axes, so that any rotation of the
                    whole is in the basis; 2: those along the axes of a plane */
@@ -1214,6 +1216,7 @@ struct hobe_reduced_info {
     int unknowns;   /* q */
     int closed;     /* as in hobe_reduce */
     long whole;     /* unknowns of the model */
+    double accuracy; /* that was asked for, or 0 */
     double seconds; /* offline: basis and energy; of one that was read, to read it */
 };
 

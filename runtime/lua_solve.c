@@ -648,6 +648,7 @@ static int solve_static(lua_State *L)
     const struct hobe_solution_info info = info_of(*solution);
     hobe_lua_context(L)->cost.solve += info.seconds;
     hobe_lua_context(L)->factorisations += info.factorisations;
+    hobe_lua_context(L)->cost.solve += info.seconds;
     note_change(L, info.change);
     hobe_lua_note_reduced(L, info.indicator);
     const char *beam;

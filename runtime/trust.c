@@ -134,3 +134,17 @@ enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, 
         correction[i] = s->u[i] - s->start[i];
     return HOBE_OK;
 }
+
+enum hobe_status trust_ask(hobe_model *whole, hobe_solution *state, struct hobe_error *err)
+{
+    struct trust trust;
+    enum hobe_status status = trust_open(&trust, whole, err);
+    if (!status)
+        status = trust_measure(&trust, state, &state->info.indicator, NULL, err);
+    if (status == HOBE_SINGULAR) {
+        state->info.indicator = INFINITY;
+        status = HOBE_OK;
+    }
+    trust_close(&trust);
+    return status;
+}

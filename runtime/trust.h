@@ -33,6 +33,9 @@ void trust_close(struct trust *trust);
 enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, double *indicator,
                                double *correction, struct hobe_error *err);
 
+/* Writes the indicator into a state of the model, infinite at a critical point. */
+enum hobe_status trust_ask(hobe_model *whole, hobe_solution *state, struct hobe_error *err);
+
 /* |D^-1 u| of displacements u[vectors][3]. */
 double trust_norm(const struct trust *trust, const double *u);
 

@@ -12,8 +12,11 @@
 #include <string.h>
 
 /* Of displacements, velocities and frequencies, relative: what is left of Newton's iterations and
- * of sums in another order. */
-static const double SAME = 1e-9;
+ * of sums in another order.  Where a hinge lets a beam turn as a whole, in fields that are fixed,
+ * strains of (0.1 rad)^2/2 cancel, which are 1e4 times those of the loads, and velocities, from
+ * displacements over steps of 5 ms, feel 400 times what is left. */
+static const double SAME = 1e-9, SAME_TURNED = 1e-7;
+static double same; /* that of the scene */
 
 static void expect_ok(enum hobe_status status, const struct hobe_error *err)
 {
@@ -88,7 +91,7 @@ static void same_field(const hobe_model *model, const double *a, const double *b
         size = fmax(size, fabs(a[i]));
         apart = fmax(apart, fabs(a[i] - b[i]));
     }
-    check_that(apart <= SAME * size, "%s: %g apart of %g", what, apart, size);
+    check_that(apart <= same * size, "%s: %g apart of %g", what, apart, size);
 }
 
 /* To a residual of 1e-11: projected sums round more than those of elements. */
@@ -105,8 +108,8 @@ static void same_at_rest(hobe_model *whole, hobe_model *small, const char *what)
 {
     hobe_solution *a = rest(whole), *b = rest(small);
     same_field(whole, a->u, b->u, what);
-    check_relative(info_of(b).energy, info_of(a).energy, 10 * SAME, "%s: energy", what);
-    check_relative(info_of(b).smallest_volume, info_of(a).smallest_volume, SAME, "%s: volume",
+    check_relative(info_of(b).energy, info_of(a).energy, 10 * same, "%s: energy", what);
+    check_relative(info_of(b).smallest_volume, info_of(a).smallest_volume, same, "%s: volume",
                    what);
     hobe_solution_free(a);
     hobe_solution_free(b);
@@ -118,9 +121,9 @@ static void same_modes(hobe_model *whole, hobe_model *small, int loaded, const c
     hobe_solution *state[2] = {loaded ? rest(whole) : NULL, loaded ? rest(small) : NULL};
     hobe_modes *a = modes_of(whole, state[0], MODES, HOBE_MODAL_AUTO);
     hobe_modes *b = modes_of(small, state[1], MODES, HOBE_MODAL_AUTO);
-    check_relative(modes_info(b).mass, modes_info(a).mass, SAME, "%s: mass", what);
+    check_relative(modes_info(b).mass, modes_info(a).mass, same, "%s: mass", what);
     for (int i = 0; i < MODES; i++)
-        check_relative(mode_of(b, i).omega2, mode_of(a, i).omega2, 10 * SAME, "%s: mode %d", what,
+        check_relative(mode_of(b, i).omega2, mode_of(a, i).omega2, 10 * same, "%s: mode %d", what,
                        i);
     hobe_modes_free(a);
     hobe_modes_free(b);
@@ -146,14 +149,14 @@ static void same_energies(const struct hobe_energies *a, const struct hobe_energ
     const double x[] = {a->kinetic, a->strain, a->loads, a->drives, a->damped};
     const double y[] = {b->kinetic, b->strain, b->loads, b->drives, b->damped};
     for (size_t i = 0; i < sizeof x / sizeof *x; i++)
-        check_absolute(y[i], x[i], 10 * SAME * size, "%s: energy %d", what, (int)i);
+        check_absolute(y[i], x[i], 10 * same * size, "%s: energy %d", what, (int)i);
     for (int i = 0; i < 3; i++) {
-        check_absolute(b->momentum[i], a->momentum[i], SAME * norm(a->momentum), "%s: momentum",
+        check_absolute(b->momentum[i], a->momentum[i], same * norm(a->momentum), "%s: momentum",
                        what);
         check_absolute(b->angular_momentum[i], a->angular_momentum[i],
-                       SAME * norm(a->angular_momentum), "%s: angular momentum", what);
+                       same * norm(a->angular_momentum), "%s: angular momentum", what);
     }
-    check_absolute(b->violation, a->violation, SAME, "%s: constraints", what);
+    check_absolute(b->violation, a->violation, same, "%s: constraints", what);
     check_absolute(b->violation_rate, a->violation_rate, 1e-6, /* they are of order h^2 */
                    "%s: rates of constraints", what);
 }
@@ -217,6 +220,7 @@ static hobe_model *loaded(const hobe_section *section, int turning)
 
 static void loads(const hobe_section *section)
 {
+    same = SAME;
     for (int turning = 0; turning < 2; turning++) {
         const char *what = turning ? "cantilever, follower" : "cantilever";
         hobe_model *whole = loaded(section, turning);
@@ -265,6 +269,7 @@ static void joints(const hobe_section *section)
         hobe_drive_points(2, (const double[][2]){{0, 0}, {0.4, 0.5}}, HOBE_RAMP, 0, &err);
     hobe_drive *weight =
         hobe_drive_points(2, (const double[][2]){{0, 0.2}, {1, 1}}, HOBE_LINEAR, 0, &err);
+    same = SAME_TURNED;
     for (int driven = 0; driven < 2; driven++) {
         const char *what = driven ? "driven hinge" : "hinge";
         hobe_model *whole = hinged(section, driven ? angle : NULL, weight);
@@ -283,7 +288,7 @@ static void joints(const hobe_section *section)
     hobe_drive_free(weight);
 }
 
-/* Two arms at an angle in a frame that turns. */
+/* Two arms in a row in a frame that turns. */
 static void spins(const hobe_section *section)
 {
     struct hobe_error err;
@@ -292,10 +297,10 @@ static void spins(const hobe_section *section)
     hobe_model *whole = cantilever(&beam, 0);
     beam.name = "second";
     beam.from[0] = 1;
-    for (int a = 0; a < 3; a++)
-        beam.to[a] = beam.from[a] + random_real(0.4, 0.8);
+    beam.to[0] = random_real(1.4, 1.8);
     add_beam(whole, &beam);
     add_join(whole, "beam", 1, "second", 0);
+    same = SAME;
     random_direction(spin.axis);
     expect_ok(hobe_model_spin(whole, &spin, &err), &err);
     hobe_reduced *reduced = keep_all(whole);
