@@ -290,7 +290,7 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
 
 void pattern_mark(const struct hobe_model *model, int dead, unsigned char *touched)
 {
-    load_touch(model, !dead, touched);
+    load_touch(model, dead, touched);
     for (size_t i = 0; i < couplings(model); i++)
         for (int v = 0; v < coupling(model, i)->vectors; v++)
             touched[coupling(model, i)->vector[v]] = 1;
