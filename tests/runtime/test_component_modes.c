@@ -96,7 +96,7 @@ static void test_interfaces(const hobe_section *section)
     count_interfaces(model, 8, "a force between two elements and a follower");
     model = cantilever(&beam, 0);
     add_force(model, "beam", 0.6, 0, 1, 0);
-    count_interfaces(model, 10, "a force inside an element");
+    count_interfaces(model, 8, "a force inside an element, on r and r_x of its ends");
     count_interfaces(two_beams(section, HOBE_JOINT_SPHERICAL, 0), 8 + 1,
                      "a spherical joint, three multipliers");
     count_interfaces(two_beams(section, HOBE_JOINT_REVOLUTE, 0), 8 + 2,
