@@ -277,7 +277,8 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
 
 enum outcome solver_measure(struct solver *s)
 {
-    const double size = solver_norm(s, s->u, -1);
+    const double centre = s->model->reduction ? reduction_centre(s->model) : 0;
+    const double size = hypot(solver_norm(s, s->u, -1), centre);
     s->info.change = size > 0 ? correction_norm(s) / size : 0;
     if (s->info.change <= LOST)
         return CONVERGED;
