@@ -260,6 +260,16 @@ static void read_start(lua_State *L, struct hobe_dynamic *options)
     lua_pop(L, 1);
 }
 
+/* That of the last state, the largest of all. */
+static double last_indicator(const hobe_history *history)
+{
+    struct hobe_history_info info;
+    struct hobe_solution_info last;
+    hobe_history_info(history, &info);
+    hobe_solution_info(hobe_history_state(history, info.states - 1), &last);
+    return last.indicator;
+}
+
 /* hobe.dynamic(scene, options) */
 static int solve_dynamic(lua_State *L)
 {
@@ -299,7 +309,7 @@ static int solve_dynamic(lua_State *L)
         hobe_lua_raise(L, &err);
     if (context->program && context->folder)
         write_rows(context, history->history);
-    hobe_lua_note_reduced(L, NAN);
+    hobe_lua_note_reduced(L, last_indicator(history->history), NULL);
     if (options.dynamic.rho > 0.9)
         hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
                          "motions with joints may fail");

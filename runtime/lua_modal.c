@@ -307,7 +307,7 @@ static int find(lua_State *L, const struct hobe_lua_schema *schema, find_modes *
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
-    hobe_lua_note_reduced(L, NAN);
+    hobe_lua_note_reduced(L, NAN, NULL);
     if (hobe_modes_note(modes->modes))
         hobe_lua_note(L, "%s", hobe_modes_note(modes->modes));
     return 1;

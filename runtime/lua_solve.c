@@ -649,7 +649,7 @@ static int solve_static(lua_State *L)
     const struct hobe_solution_info info = info_of(*solution);
     hobe_lua_context(L)->factorisations += info.factorisations;
     note_change(L, info.change);
-    hobe_lua_note_reduced(L, info.indicator);
+    hobe_lua_note_reduced(L, info.indicator, *solution);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
@@ -759,7 +759,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
         lua_rawseti(L, -2, i + 1);
     }
     note_change(L, change);
-    hobe_lua_note_reduced(L, indicator);
+    hobe_lua_note_reduced(L, indicator, NULL);
     lua_pushstring(L, ends[info.end]);
     lua_setfield(L, -2, "ended");
     set_number(L, "solve_seconds", info.seconds);

@@ -84,6 +84,8 @@ static void torsion(const struct hobe_beam *beam, double moment, int modes, doub
     hobe_reduced *reduced = reduce(model, &(struct hobe_reduce){.modes = modes});
     check_that(unknowns_of(reduced) <= modes, "%s: %d unknowns of %d", what, unknowns_of(reduced),
                modes);
+    struct hobe_coarse coarse;
+    struct hobe_error err;
     for (int i = 0; i < 3; i++) {
         const double share = i == 0 ? 1 : random_real(0.1, 0.9);
         hobe_model *other = twisted(beam, share * moment), *small = small_of(reduced, other);
@@ -93,6 +95,10 @@ static void torsion(const struct hobe_beam *beam, double moment, int modes, doub
         check_relative(twist_of(is), expected, 1e-3, "%s: twist at %g of the moment", what, share);
         check_that(i > 0 || expected > turns, "%s: %g rad", what, expected);
         check_that(info_of(is).indicator < 1e-3, "%s: indicator %g", what, info_of(is).indicator);
+        expect_ok(hobe_reduced_coarse(small, is, &coarse, &err), &err);
+        check_that(coarse.elements > 0 && coarse.reduced < 1e-3 && coarse.error > 1e-2,
+                   "%s: %d elements err by %g, reduced by %g", what, coarse.elements, coarse.error,
+                   coarse.reduced);
         hobe_solution_free(whole);
         hobe_solution_free(is);
         hobe_model_free(small);
