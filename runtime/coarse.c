@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a reduced model has to beat: the whole one on a mesh so coarse that it has about as many
  * unknowns. */
+#include "load.h"
 #include "reduction.h"
 #include "solution.h"
 #include "spring.h"
@@ -26,6 +27,7 @@ ADDER(joint)
 ADDER(force)
 ADDER(moment)
 
+/* Adds items that begin with what they were given as. */
 static enum hobe_status add_all(hobe_model *model, const struct list *from, size_t size, adder *add,
                                 struct hobe_error *err)
 {
@@ -59,9 +61,8 @@ static enum hobe_status add_loads(hobe_model *model, const hobe_model *from, str
     if (!status && from->spun)
         status = hobe_model_spin(model, &from->spin, err);
     if (!status)
-        status = add_all(model, &from->forces, sizeof(struct hobe_force), add_force, err);
-    return status ? status
-                  : add_all(model, &from->moments, sizeof(struct hobe_moment), add_moment, err);
+        status = add_all(model, &from->forces, sizeof(struct force), add_force, err);
+    return status ? status : add_all(model, &from->moments, sizeof(struct moment), add_moment, err);
 }
 
 static enum hobe_status fill(hobe_model *model, const hobe_model *from, double share,
