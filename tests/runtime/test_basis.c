@@ -161,12 +161,33 @@ static void all_angles(const struct hobe_beam *beam, int modes, double in_twist)
     hobe_model_free(along);
 }
 
+/* About a state that the load leads to the basis has that among its fields, and comes back. */
+static void about_a_state(const struct hobe_beam *beam)
+{
+    hobe_model *full = princeton(beam, 0.5), *half = cantilever(beam, 0);
+    add_force(half, "beam", 1, 0, -6 * sin(0.5), -6 * cos(0.5));
+    hobe_solution *centre = solve(full, 1), *whole = solve(half, 1);
+    hobe_reduced *reduced = reduce(full, &(struct hobe_reduce){.modes = 9, .centre = centre});
+    hobe_model *small = small_of(reduced, half);
+    hobe_solution *is = solve_by(small, HOBE_METHOD_NEWTON, 1);
+    check_that(unknowns_of(reduced) <= 9, "with the centre: %d unknowns", unknowns_of(reduced));
+    check_absolute(apart(whole, is), 0, 1e-5, "back from a state");
+    hobe_solution_free(is);
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_solution_free(centre);
+    hobe_solution_free(whole);
+    hobe_model_free(half);
+    hobe_model_free(full);
+}
+
 static void angles(void)
 {
     hobe_section *section = rectangle(3.2024e-3, 12.377e-3);
     const struct hobe_beam beam = beam_along_x("MGD30w", 12, section, 71.7e9, 0.31, 0.508);
     all_angles(&beam, 20, 1.5e-2);
     all_angles(&beam, 27, 1e-3);
+    about_a_state(&beam);
     hobe_section_free(section);
 }
 
