@@ -867,9 +867,10 @@ struct hobe_history_info {
     long factorisations;
     double time;                        /* reached, s */
     double smallest_step, largest_step; /* taken, s */
-    long projected;     /* unknowns of a projection, multipliers included; 0: none */
-    int linearisations; /* how often its modes were found */
-    double seconds;     /* in hobe_dynamic without set-up */
+    double largest_error; /* of displacements in a step, relative to the scene's size */
+    long projected;       /* unknowns of a projection, multipliers included; 0: none */
+    int linearisations;   /* how often its modes were found */
+    double seconds;       /* in hobe_dynamic without set-up */
 };
 
 /* The motion of a model under its loads, all of them on: M w + F(q) + Phi_q' lambda = Q(q, v, t),
@@ -1190,8 +1191,9 @@ double hobe_modes_factor(const hobe_modes *modes, int i);
 typedef struct hobe_reduced hobe_reduced;
 
 enum hobe_reduce_method {
-    HOBE_REDUCE_SERIES, /* derivatives of the paths under the loads, of higher and higher order */
-    HOBE_REDUCE_MODES,  /* lowest vibration modes, static responses, and their derivatives */
+    HOBE_REDUCE_SERIES, /* where paths under the loads of interest lead: their principal fields */
+    HOBE_REDUCE_MODES,  /* lowest vibration modes, and where paths under their forces of inertia
+                           and the loads lead besides */
     HOBE_REDUCE_FIELDS  /* the fields that are given, dependent ones left out */
 };
 

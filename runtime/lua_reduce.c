@@ -95,8 +95,8 @@ static const struct hobe_lua_key reduce_keys[] = {
     REDUCE(accuracy, KEY_NUMBER, KEY_FROM(0),
            .doc = "of displacements under the loads of interest, relative to their size"),
     REDUCE(method, KEY_CHOICE, .choices = "series|modes", .word = "series",
-           .doc = "`series`: derivatives of the paths under the loads; `modes`: the lowest "
-                  "vibration modes with what they bring about"),
+           .doc = "`series`: where the paths under the loads lead; `modes`: the lowest "
+                  "vibration modes with what they and the loads bring about"),
     KEY_OF_LIST("loads", .doc = "scenes of the same beams and supports whose loads are of "
                                 "interest, too"),
     REDUCE(centre, KEY_RESULT,
