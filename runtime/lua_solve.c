@@ -678,7 +678,7 @@ static int solve_static(lua_State *L)
     hobe_lua_context(L)->cost.factorisations += info.factorisations;
     hobe_lua_context(L)->cost.solve += info.seconds;
     note_change(L, info.change);
-    hobe_lua_note_reduced(L, info.indicator);
+    hobe_lua_note_reduced(L, info.indicator, *solution);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
@@ -791,7 +791,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
         lua_rawseti(L, -2, i + 1);
     }
     note_change(L, change);
-    hobe_lua_note_reduced(L, indicator);
+    hobe_lua_note_reduced(L, indicator, NULL);
     lua_pushstring(L, ends[info.end]);
     lua_setfield(L, -2, "ended");
     set_number(L, "solve_seconds", info.seconds);
