@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "assemble.h"
 
+#include "element.h"
 #include "pattern.h"
 #include "reduction.h"
 
@@ -105,7 +106,8 @@ static enum hobe_status open_workspaces(const struct hobe_model *model, struct s
     for (size_t i = 0; i < model->beams.count; i++) {
         const struct hobe_kernel *k = model_beam(model, i)->kernel;
         V = (size_t)k->vectors > V ? (size_t)k->vectors : V;
-        scratch = k->scratch > scratch ? k->scratch : scratch;
+        const size_t more = hobe_element_scratch(k);
+        scratch = more > scratch ? more : scratch;
     }
     const size_t blocks = 9 * V * (V + 1) / 2;
     s->work = hobe_alloc((size_t)s->threads, sizeof *s->work, err);
@@ -262,8 +264,7 @@ static void expect_stresses(const struct assembly *a, const struct beam *beam,
     assemble_gather(a->model, beam, batch, a->v, work->u);
     for (int k = 0; k < 3 * V; k++)
         work->q0[k] = -work->u[k];
-    beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f,
-                          work->more, work->scratch);
+    hobe_element_batch_tangent(batch->law, work->q0, work->u, work->f, work->more, work->scratch);
     for (int k = 0; k < 9 * hobe_pair(V, 0); k++)
         work->K[k] += work->more[k];
 }
@@ -272,12 +273,11 @@ static void add_batch(const struct assembly *a, const struct beam *beam, const s
                       struct workspace *work)
 {
     const struct hobe_kernel *kernel = beam->kernel;
-    const struct hobe_invariants *inv = hobe_element_invariants(batch->law);
     assemble_gather(a->model, beam, batch, a->u, work->u);
     if (a->K)
-        kernel->tangent(inv, batch->q0, work->u, work->f, work->K, work->scratch);
+        hobe_element_batch_tangent(batch->law, batch->q0, work->u, work->f, work->K, work->scratch);
     else
-        kernel->force(inv, batch->q0, work->u, work->f, work->scratch);
+        hobe_element_batch_force(batch->law, batch->q0, work->u, work->f, work->scratch);
     scatter_force(a->model, beam, batch, work->f, a->f);
     if (a->K && a->v && kernel->trilinear) /* the energy is quartic */
         expect_stresses(a, beam, batch, work);
@@ -311,8 +311,7 @@ static void add_strained(const struct assembly *a, const struct beam *beam,
     assemble_gather(a->model, beam, batch, a->v, work->u);
     for (int k = 0; k < 3 * kernel->vectors; k++)
         work->q0[k] += batch->q0[k] - work->u[k];
-    kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f, work->K,
-                    work->scratch);
+    hobe_element_batch_tangent(batch->law, work->q0, work->u, work->f, work->K, work->scratch);
     scatter_tangent(a->model, beam, batch, work->K, a->K);
 }
 
@@ -353,8 +352,7 @@ static void add_viscous(const struct assembly *a, const struct beam *beam,
     if (!a->K)
         return;
     memset(work->u, 0, (size_t)(3 * V) * sizeof *work->u);
-    beam->kernel->tangent(hobe_element_invariants(batch->law), work->q0, work->u, work->f, work->K,
-                          work->scratch);
+    hobe_element_batch_tangent(batch->law, work->q0, work->u, work->f, work->K, work->scratch);
     for (int k = 0; k < 9 * hobe_pair(V, 0); k++)
         work->K[k] *= a->rate * tau;
     scatter_tangent(a->model, beam, batch, work->K, a->K);
@@ -490,14 +488,14 @@ enum hobe_status assemble_element(const struct hobe_model *model, const struct b
     const struct hobe_kernel *k = beam->kernel;
     const size_t n = 3 * (size_t)k->vectors;
     const struct batch *batch = beam->batch;
-    hobe_lanes *of = hobe_alloc(3 * n + k->scratch, sizeof *of, err);
+    hobe_lanes *of = hobe_alloc(3 * n + hobe_element_scratch(k), sizeof *of, err);
     if (!of)
         return HOBE_NO_MEMORY;
     const struct workspace work = {.q0 = of, .u = of + n, .f = of + 2 * n, .scratch = of + 3 * n};
     while (e >= batch->first + batch->count)
         batch++;
     assemble_gather(model, beam, batch, u, work.u);
-    k->force(hobe_element_invariants(batch->law), batch->q0, work.u, work.f, work.scratch);
+    hobe_element_batch_force(batch->law, batch->q0, work.u, work.f, work.scratch);
     for (size_t i = 0; i < n; i++)
         f[i] = work.f[i][e - batch->first];
     if (v && beam->spec.damping.stiffness > 0) {

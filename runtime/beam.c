@@ -85,26 +85,10 @@ void beam_origin(const struct beam *beam, int e, double origin[3])
 void beam_frame(const struct beam *beam, int e, const double *N, const double *Nx,
                 double frame[3][3])
 {
-    double d[2][3] = {{0}}; /* d_0', d_y */
-    if (!beam->origin) {
+    if (beam->origin)
+        hobe_kernel_axes(beam->kernel, N, Nx, beam_q0(beam, e), frame);
+    else
         memcpy(frame, beam->end_frame[0], sizeof beam->end_frame[0]);
-        return;
-    }
-    const double *q0 = beam_q0(beam, e);
-    for (int v = 0; v < beam->kernel->vectors; v++) {
-        const int mode = beam->kernel->vector[v].mode;
-        for (int a = 0; mode < 2 && a < 3; a++)
-            d[mode][a] += (mode ? N : Nx)[v] * q0[3 * v + a];
-    }
-    const double length = length3(d[0]), along = dot3(d[0], d[1]) / (length * length);
-    for (int a = 0; a < 3; a++) {
-        frame[0][a] = d[0][a] / length;
-        frame[1][a] = d[1][a] - along * d[0][a];
-    }
-    const double across = length3(frame[1]);
-    for (int a = 0; a < 3; a++)
-        frame[1][a] /= across;
-    cross3(frame[0], frame[1], frame[2]);
 }
 
 /* ---- elements ------------------------------------------------------------------------------- */

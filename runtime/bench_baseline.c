@@ -2,33 +2,15 @@
 #include "bench_baseline.h"
 
 #include "element.h"
-
-#include <string.h>
+#include "machine.h"
 
 extern const struct bench_machine hobe_kernel_bench, hobe_kernel_bench_avx2,
     hobe_kernel_bench_avx512;
 
 const struct bench_machine *bench_machine(void)
 {
-    static const struct bench_machine *const machines[] = {
-#ifdef HOBE_AVX512
-        &hobe_kernel_bench_avx512,
-#endif
-#ifdef HOBE_AVX2
-        &hobe_kernel_bench_avx2,
-#endif
-        &hobe_kernel_bench,
-    };
-    int i = 0;
-    while (strcmp(machines[i]->name, hobe_machine()))
-        i++;
-    return machines[i];
-}
-
-double bench_points_flops(const struct bench_points *p, int tangent)
-{
-    const double V = p->vectors, force = 36 * V + 129;
-    return p->points * (tangent ? force + 105 * V + 61 * V * (V + 1) : force);
+    static const struct bench_machine *const machines[] = HOBE_MACHINES(bench);
+    return machines[machine_in_use()];
 }
 
 double bench_printed_flops(const struct bench_tensors *t, int tangent)
@@ -82,57 +64,20 @@ void bench_section_open(struct bench_section *section, const hobe_section *of)
 
 /* ---- tables --------------------------------------------------------------------------------- */
 
-/* Gradients of N_v phi_v at the point of a section where the modes are phi. */
-static void set_gradients(const struct hobe_kernel *k, const double *N, const double *Nx,
-                          const double (*phi)[4], double *gradient)
-{
-    for (int v = 0; v < k->vectors; v++) {
-        const double *at = phi[k->vector[v].mode];
-        gradient[3 * v] = Nx[v] * at[0] + N[v] * at[3];
-        gradient[3 * v + 1] = N[v] * at[1];
-        gradient[3 * v + 2] = N[v] * at[2];
-    }
-}
-
-enum hobe_status bench_points_open(struct bench_points *p, const hobe_element *element,
+enum hobe_status bench_points_open(struct points *p, const hobe_element *element,
                                    const hobe_section *section, struct hobe_error *err)
 {
     const struct hobe_kernel *k = hobe_element_kernel(element);
-    const struct hobe_invariants *inv = hobe_element_invariants(element);
-    const int V = k->vectors;
     struct hobe_rule rule;
-    double phi[HOBE_MAX_MODES][4];
-    *p = (struct bench_points){.vectors = V, .law = hobe_element_law(element)->region[0]};
-    const enum hobe_status status =
+    enum hobe_status status =
         hobe_section_rule(section, k, HOBE_INTEGRATION_EXACT, NULL, &rule, err);
     if (status)
         return status;
-    const int n = rule.rule.points;
-    p->points = inv->stations * n;
-    p->weight = hobe_alloc((size_t)p->points, sizeof *p->weight, err);
-    p->gradient = hobe_alloc((size_t)(3 * p->points * V), sizeof *p->gradient, err);
-    p->scratch = hobe_alloc((size_t)(39 * V), sizeof *p->scratch, err);
-    const int failed = !p->weight || !p->gradient || !p->scratch;
-    for (int i = 0; !failed && i < p->points; i++) {
-        const int g = i / n;
-        const struct hobe_section_point *at = rule.point + i % n;
-        p->weight[i] = inv->wx[g] * at->weight;
-        k->section_modes(at->y, at->z, at->f, phi);
-        set_gradients(k, inv->N + g * V, inv->Nx + g * V, (const double(*)[4])phi,
-                      p->gradient + 3 * V * i);
-    }
+    status = points_open(p, k, hobe_element_invariants(element), 1,
+                         &(struct hobe_station){.rule = rule.rule}, hobe_element_law(element), NULL,
+                         err);
     hobe_rule_free(&rule);
-    if (failed)
-        bench_points_close(p);
-    return failed ? HOBE_NO_MEMORY : HOBE_OK;
-}
-
-void bench_points_close(struct bench_points *p)
-{
-    hobe_free(p->weight);
-    hobe_free(p->gradient);
-    hobe_free(p->scratch);
-    *p = (struct bench_points){0};
+    return status;
 }
 
 /* rows[6] = the strain xx, yy, zz, 2yz, 2xz, 2xy of a pair of vectors: sym(G_v G_w'), twice its
@@ -158,7 +103,7 @@ static void pair_stress(const struct hobe_elasticity *C, double weight, const do
 }
 
 /* One point's part of A and b. */
-static void add_tensors(struct bench_tensors *t, const struct bench_points *p, int point)
+static void add_tensors(struct bench_tensors *t, const struct points *p, int point)
 {
     const int V = t->vectors;
     const double *G = p->gradient + (long)3 * V * point;
@@ -167,7 +112,7 @@ static void add_tensors(struct bench_tensors *t, const struct bench_points *p, i
         for (int j = 0; j < V; j++)
             for (int k = 0; k < V; k++) {
                 pair_rows(G + 3 * i, G + 3 * k, left);
-                pair_stress(&p->law, p->weight[point], left, stress);
+                pair_stress(p->law, p->weight[point], left, stress);
                 if (j == 0)
                     t->b[V * i + k] += stress[0] + stress[1] + stress[2];
                 for (int v = 0; v < V; v++, A++) {
@@ -178,7 +123,7 @@ static void add_tensors(struct bench_tensors *t, const struct bench_points *p, i
             }
 }
 
-enum hobe_status bench_tensors_open(struct bench_tensors *t, const struct bench_points *p,
+enum hobe_status bench_tensors_open(struct bench_tensors *t, const struct points *p,
                                     struct hobe_error *err)
 {
     const size_t V = (size_t)p->vectors;
@@ -190,7 +135,7 @@ enum hobe_status bench_tensors_open(struct bench_tensors *t, const struct bench_
         bench_tensors_close(t);
         return HOBE_NO_MEMORY;
     }
-    for (int i = 0; i < p->points; i++)
+    for (int i = 0; i < p->first[p->stations]; i++)
         add_tensors(t, p, i);
     return HOBE_OK;
 }

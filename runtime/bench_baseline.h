@@ -1,22 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What kernels are measured against: the peak of the machine, and two ways to an element's force
  * and tangent stiffness that take no generator, written for eight elements at a time as kernels
- * are.  They stay as they are: ratios to them compare kernels of different years. */
+ * are: by points (points.h), and as eqs. 27 and 28 are printed.  They stay as they are: ratios to
+ * them compare kernels of different years. */
 #ifndef HOBE_BENCH_BASELINE_H
 #define HOBE_BENCH_BASELINE_H
 
-#include "hobe.h"
+#include "points.h"
 #include "section.h"
-
-/* An element at points of its volume: what a textbook tabulates.  The law is the unsplit one, which
- * needs no strain averaged over the section: the least that there is to do. */
-struct bench_points {
-    int vectors, points;
-    double *weight;   /* [points] m^3 */
-    double *gradient; /* [points][vectors][3] d(N_v phi_v)/d(x,y,z), 1/m */
-    struct hobe_elasticity law;
-    hobe_lanes *scratch; /* [39 vectors] */
-};
 
 /* The integrals of eqs. 27 and 28 over those points,
  *     A_tjkv = int C_anbc H_ta H_kn H_jb H_vc dV,      b_tk = int C_anbc H_ta H_kn delta_bc dV,
@@ -42,9 +33,6 @@ struct bench_machine {
      * on one another: as many fused multiply-adds as the machine can do. */
     void (*turn)(hobe_lanes *x);
 
-    /* Green-Lagrange strain, stress and B'CB at each point; K may be NULL. */
-    void (*points)(const struct bench_points *p, const hobe_lanes *q, hobe_lanes *f, hobe_lanes *K);
-
     /* The sums of eqs. 27 and 28 as they are printed, K in its lower triangle; K may be NULL. */
     void (*printed)(const struct bench_tensors *t, const hobe_lanes *q, hobe_lanes *f,
                     hobe_lanes *K);
@@ -53,8 +41,7 @@ struct bench_machine {
 /* Of the processor that the kernels in use are for. */
 const struct bench_machine *bench_machine(void);
 
-/* Flops of an element in points and printed, counted in their source. */
-double bench_points_flops(const struct bench_points *p, int tangent);
+/* Flops of an element as printed, counted in the source. */
 double bench_printed_flops(const struct bench_tensors *t, int tangent);
 
 /* A section whose rule has but the Gauss points that the polynomials among the modes ask for,
@@ -66,12 +53,12 @@ struct bench_section {
 };
 void bench_section_open(struct bench_section *section, const hobe_section *of);
 
-/* Points of a straight element with the law of region 0, mechanics `full`, at the rule of its
- * section; and the integrals over them. */
-enum hobe_status bench_points_open(struct bench_points *p, const hobe_element *element,
+/* Points of a straight element with mechanics `full`, at the rule of its section: the unsplit law
+ * needs no strain averaged over the section, and is the least that there is to do.  And the
+ * integrals over those points. */
+enum hobe_status bench_points_open(struct points *p, const hobe_element *element,
                                    const hobe_section *section, struct hobe_error *err);
-void bench_points_close(struct bench_points *p);
-enum hobe_status bench_tensors_open(struct bench_tensors *t, const struct bench_points *p,
+enum hobe_status bench_tensors_open(struct bench_tensors *t, const struct points *p,
                                     struct hobe_error *err);
 void bench_tensors_close(struct bench_tensors *t);
 

@@ -19,14 +19,14 @@ struct rivals {
     hobe_section *rectangle;
     struct bench_section section;
     struct bench_subject same;
-    struct bench_points points;   /* vectors = 0: there are none */
+    struct points points;         /* vectors = 0: there are none */
     struct bench_tensors tensors; /* vectors = 0: there are none */
 };
 
 static void close_rivals(struct rivals *r)
 {
     bench_tensors_close(&r->tensors);
-    bench_points_close(&r->points);
+    points_close(&r->points);
     bench_subject_close(&r->same);
     hobe_section_free(r->rectangle);
 }
@@ -78,7 +78,7 @@ static enum hobe_status compare(const struct rivals *r, struct bench_difference 
         return HOBE_NO_MEMORY;
     for (int i = 0; i < s->plans; i++) {
         s->kernel->tangent(&s->plan[i].inv, s->q0, s->u, s->f, s->K, s->scratch);
-        bench_machine()->points(&r->points, s->q, f, K);
+        points_evaluate()(&r->points, NULL, s->q, f, K, s->scratch);
         difference->points = fmax(difference->points, differ(s, f, K));
         if (!r->tensors.vectors)
             continue;
@@ -148,7 +148,7 @@ static void run_points(void *context)
 {
     const struct entrant *e = context;
     const struct bench_subject *s = &e->rivals->same;
-    bench_machine()->points(&e->rivals->points, s->q, s->f, e->tangent ? s->K : NULL);
+    points_evaluate()(&e->rivals->points, NULL, s->q, s->f, e->tangent ? s->K : NULL, s->scratch);
 }
 
 static void run_printed(void *context)
@@ -197,7 +197,7 @@ static void enter_baselines(struct race *race, const struct rivals *rivals, int 
     struct entrant e = {.kind = "baseline", .tangent = tangent, .rivals = rivals};
     if (rivals->points.vectors) {
         e.plan = "points";
-        e.flops = HOBE_LANES * bench_points_flops(&rivals->points, tangent);
+        e.flops = HOBE_LANES * points_flops(&rivals->points, tangent);
         race->points[tangent] = enter(race, run_points, &e);
     }
     if (rivals->tensors.vectors) {

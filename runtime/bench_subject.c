@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bench_subject.h"
 
+#include "element.h"
 #include "model.h"
 
 #include <math.h>
@@ -66,7 +67,7 @@ static enum hobe_status set_state(struct bench_subject *s, struct hobe_error *er
 {
     const size_t dofs = 3 * (size_t)s->kernel->vectors, K = dofs * (dofs + 3) / 2;
     unsigned long state = 1;
-    s->u = hobe_alloc(3 * dofs + K + s->kernel->scratch, sizeof *s->u, err);
+    s->u = hobe_alloc(3 * dofs + K + hobe_element_scratch(s->kernel), sizeof *s->u, err);
     if (!s->u)
         return HOBE_NO_MEMORY;
     s->q = s->u + dofs;

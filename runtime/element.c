@@ -3,7 +3,9 @@
 
 #include "eigen.h"
 #include "material.h"
+#include "points.h"
 #include "section.h"
+#include "vector3.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -31,6 +33,9 @@ struct laws {
     double EA, EIyy, EIzz, EIyz, G;
 };
 
+/* Ways to force and tangent. */
+enum plan { CHEAPEST, SECTION, TENSOR, POINTS, PLANS };
+
 struct hobe_element {
     const struct hobe_kernel *kernel;
     const hobe_section *section;
@@ -41,6 +46,7 @@ struct hobe_element {
     double *q0; /* [V][3] where curved, pretwisted or tapered, NULL where straight, prismatic */
     struct hobe_rest rest;
     unsigned char dropped[HOBE_MAX_MODES];
+    struct points points; /* vectors = 0: force and tangent are the kernel's own */
 };
 
 const struct hobe_kernel *hobe_find_kernel(const char *name, struct hobe_error *err)
@@ -91,6 +97,26 @@ void hobe_kernel_reference(const struct hobe_kernel *k, double length, const dou
             q0[3 * v + a] = value;
         }
     }
+}
+
+void hobe_kernel_axes(const struct hobe_kernel *k, const double *N, const double *Nx,
+                      const double *q0, double axes[3][3])
+{
+    double d[2][3] = {{0}}; /* d_0', d_y */
+    for (int v = 0; v < k->vectors; v++) {
+        const int mode = k->vector[v].mode;
+        for (int a = 0; mode < 2 && a < 3; a++)
+            d[mode][a] += (mode ? N : Nx)[v] * q0[3 * v + a];
+    }
+    const double length = length3(d[0]), along = dot3(d[0], d[1]) / (length * length);
+    for (int a = 0; a < 3; a++) {
+        axes[0][a] = d[0][a] / length;
+        axes[1][a] = d[1][a] - along * d[0][a];
+    }
+    const double across = length3(axes[1]);
+    for (int a = 0; a < 3; a++)
+        axes[1][a] /= across;
+    cross3(axes[0], axes[1], axes[2]);
 }
 
 /* ---- preparation ---------------------------------------------------------------------------- */
@@ -325,7 +351,7 @@ static void set_laws(struct laws *laws, const struct hobe_element_options *optio
 }
 
 static enum hobe_status integrate(hobe_element *element, const struct hobe_element_options *options,
-                                  const double (*gauss)[2], struct hobe_error *err)
+                                  enum plan plan, const double (*gauss)[2], struct hobe_error *err)
 {
     struct hobe_invariants *inv = &element->invariants;
     struct rules rules[MOST_STATIONS] = {0};
@@ -338,6 +364,9 @@ static enum hobe_status integrate(hobe_element *element, const struct hobe_eleme
         set_laws(&element->laws, options, element->mechanics, &station->rule);
         element->kernel->invariants(inv, gauss, sections, station, &element->laws.law, element->q0);
     }
+    if (!status && plan == POINTS && element->kernel->section)
+        status = points_open(&element->points, element->kernel, inv, sections, station,
+                             &element->laws.law, element->q0, err);
     for (int g = 0; g < sections; g++)
         free_rules(rules + g);
     return status;
@@ -384,6 +413,22 @@ static enum hobe_status axis_rule(const struct hobe_kernel *kernel, int count, d
     return HOBE_OK;
 }
 
+/* The plan that HOBE_PLAN in the environment asks for, wherever it can be. */
+static enum hobe_status asked_plan(enum plan *plan, struct hobe_error *err)
+{
+    static const char *const name[PLANS] = {"", "section", "tensor", "points"};
+    const char *asked = getenv("HOBE_PLAN");
+    *plan = CHEAPEST;
+    while (asked && *plan < PLANS && strcmp(asked, name[*plan]))
+        ++*plan;
+    if (*plan < PLANS)
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "HOBE_PLAN in the environment is \"%s\"; it must be \"section\", "
+                     "\"tensor\" or \"points\", or unset for what is cheapest",
+                     asked);
+}
+
 /* The arrays of the plan "section", filled, to be freed by the caller. */
 static enum hobe_status fill_section(const struct hobe_kernel *k, struct hobe_invariants *inv,
                                      struct hobe_error *err)
@@ -399,7 +444,7 @@ static enum hobe_status fill_section(const struct hobe_kernel *k, struct hobe_in
 }
 
 static enum hobe_status fill_invariants(hobe_element *element,
-                                        const struct hobe_element_options *options,
+                                        const struct hobe_element_options *options, enum plan plan,
                                         struct hobe_error *err)
 {
     const int paper = options->integration == HOBE_INTEGRATION_PAPER;
@@ -417,7 +462,7 @@ static enum hobe_status fill_invariants(hobe_element *element,
     if (status)
         return status;
     set_reference(element, options->q0);
-    status = integrate(element, options, (const double(*)[2])gauss, err);
+    status = integrate(element, options, plan, (const double(*)[2])gauss, err);
     if (!status && paper && !varies)
         status = paper_mass(element, options, err);
     if (status || !element->kernel->section)
@@ -440,33 +485,14 @@ int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry)
                TENSOR_SPEED * (double)kernel->section_cost[symmetry].flops_tangent;
 }
 
-/* Whether to take the tensor where it can be taken: where it pays, unless HOBE_PLAN in the
- * environment names a plan. */
-static enum hobe_status take_tensor(const struct hobe_element *element, int *take,
-                                    struct hobe_error *err)
-{
-    const char *plan = getenv("HOBE_PLAN");
-    *take = hobe_tensor_pays(element->kernel, element->invariants.symmetry);
-    if (!plan || !*plan)
-        return HOBE_OK;
-    *take = !strcmp(plan, "tensor");
-    if (*take || !strcmp(plan, "section"))
-        return HOBE_OK;
-    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                     "HOBE_PLAN in the environment is \"%s\"; it must be \"section\" or "
-                     "\"tensor\", or unset for what is cheaper",
-                     plan);
-}
-
 /* A straight and prismatic element is given its tensor where that is the way to take. */
-static enum hobe_status choose_plan(hobe_element *element, struct hobe_error *err)
+static enum hobe_status choose_plan(hobe_element *element, enum plan plan, struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
     struct hobe_invariants *inv = &element->invariants;
-    int tensor;
-    const enum hobe_status status = take_tensor(element, &tensor, err);
-    if (status || !tensor || !k->tensor || !(inv->symmetry & HOBE_SYMMETRIC_X) || element->q0)
-        return status;
+    const int take = plan == CHEAPEST ? hobe_tensor_pays(k, inv->symmetry) : plan == TENSOR;
+    if (!take || !k->tensor || !(inv->symmetry & HOBE_SYMMETRIC_X) || element->q0)
+        return HOBE_OK;
     inv->tensor = hobe_alloc(k->tensor_cost[inv->symmetry].numbers, sizeof *inv->tensor, err);
     if (!inv->tensor)
         return HOBE_NO_MEMORY;
@@ -584,6 +610,7 @@ static enum hobe_status check_at_rest(hobe_element *element, struct hobe_error *
         return status ? status : compare_stiffness(element, &p, err);
     }
     hobe_element shorter = *element;
+    shorter.points.vectors = 0; /* which are the longer one's */
     struct hobe_invariants *inv = &shorter.invariants;
     const size_t G = (size_t)inv->stations, V = (size_t)k->vectors;
     double *axis = hobe_alloc(G + 2 * G * V, sizeof *axis, err);
@@ -647,15 +674,16 @@ hobe_element *hobe_element_new(const struct hobe_element_options *options, struc
                   options->kernel->name, options->kernel->vectors, HOBE_MAX_VECTORS);
         return NULL;
     }
-    hobe_element *element = hobe_alloc(1, sizeof *element, err);
+    enum plan plan;
+    hobe_element *element = asked_plan(&plan, err) ? NULL : hobe_alloc(1, sizeof *element, err);
     if (!element)
         return NULL;
     element->kernel = options->kernel;
     element->section = options->section;
     element->mechanics =
         options->mechanics ? options->mechanics : hobe_mechanics_find(options->kernel->mechanics);
-    if (fill_invariants(element, options, err) || find_dropped(element, options, err) ||
-        check_at_rest(element, err) || choose_plan(element, err)) {
+    if (fill_invariants(element, options, plan, err) || find_dropped(element, options, err) ||
+        check_at_rest(element, err) || choose_plan(element, plan, err)) {
         hobe_element_free(element);
         return NULL;
     }
@@ -668,6 +696,7 @@ void hobe_element_free(hobe_element *element)
         hobe_free(element->numbers);
         hobe_free(element->invariants.section);
         hobe_free(element->invariants.tensor);
+        points_close(&element->points);
     }
     hobe_free(element);
 }
@@ -718,6 +747,31 @@ void hobe_element_reference(const hobe_element *element, const double frame[3][3
     hobe_kernel_reference(element->kernel, element->invariants.length, frame, q0);
 }
 
+void hobe_element_batch_force(const hobe_element *element, const hobe_lanes *q0,
+                              const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
+{
+    if (element->points.vectors)
+        points_evaluate()(&element->points, q0, u, f, NULL, scratch);
+    else
+        element->kernel->force(&element->invariants, q0, u, f, scratch);
+}
+
+void hobe_element_batch_tangent(const hobe_element *element, const hobe_lanes *q0,
+                                const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
+                                hobe_lanes *scratch)
+{
+    if (element->points.vectors)
+        points_evaluate()(&element->points, q0, u, f, K, scratch);
+    else
+        element->kernel->tangent(&element->invariants, q0, u, f, K, scratch);
+}
+
+size_t hobe_element_scratch(const struct hobe_kernel *kernel)
+{
+    const size_t points = POINTS_SCRATCH * (size_t)kernel->vectors;
+    return kernel->scratch > points ? kernel->scratch : points;
+}
+
 /* One element in the first lane of a batch, the others at rest. */
 struct single {
     hobe_lanes *q0, *u, *f, *K, *scratch;
@@ -733,7 +787,8 @@ static enum hobe_status single_new(const hobe_element *element, const double *q0
 {
     const size_t V = (size_t)element->kernel->vectors, blocks = 9 * V * (V + 1) / 2;
     *s = (struct single){0};
-    s->q0 = hobe_alloc(9 * V + blocks + element->kernel->scratch, sizeof(hobe_lanes), err);
+    s->q0 =
+        hobe_alloc(9 * V + blocks + hobe_element_scratch(element->kernel), sizeof(hobe_lanes), err);
     if (!s->q0)
         return HOBE_NO_MEMORY;
     s->u = s->q0 + 3 * V;
@@ -766,7 +821,7 @@ enum hobe_status hobe_element_force(const hobe_element *element, const double *q
     struct single s;
     if (single_new(element, q0, q, &s, err))
         return HOBE_NO_MEMORY;
-    element->kernel->force(&element->invariants, s.q0, s.u, s.f, s.scratch);
+    hobe_element_batch_force(element, s.q0, s.u, s.f, s.scratch);
     for (int i = 0; i < 3 * element->kernel->vectors; i++)
         f[i] = s.f[i][0];
     single_free(&s);
@@ -780,7 +835,7 @@ enum hobe_status hobe_element_tangent(const hobe_element *element, const double 
     struct single s;
     if (single_new(element, q0, q, &s, err))
         return HOBE_NO_MEMORY;
-    element->kernel->tangent(&element->invariants, s.q0, s.u, s.f, s.K, s.scratch);
+    hobe_element_batch_tangent(element, s.q0, s.u, s.f, s.K, s.scratch);
     for (int v = 0; v < V; v++)
         for (int w = 0; w <= v; w++)
             for (int e = 0; e < 9; e++) {

@@ -17,6 +17,11 @@ void hobe_kernel_reference(const struct hobe_kernel *kernel, double length,
 /* The vector that is the value (slope = 0) or slope of a mode at a node; -1 where there is none. */
 int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int slope);
 
+/* The section's axes where the axial functions are N, Nx, of an element with the reference
+ * q0[vectors][3], rows: e_x along d_0', e_y as near to d_y as can be. */
+void hobe_kernel_axes(const struct hobe_kernel *kernel, const double *N, const double *Nx,
+                      const double *q0, double axes[3][3]);
+
 /* Whether force and tangent of a straight and prismatic element are cheaper as products with its
  * tensor than from station to station, with that symmetry (HOBE_SYMMETRIC_*). */
 int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry);
@@ -27,6 +32,15 @@ struct stiffnesses {
     double EA, EIyy, EIzz, EIyz;
 };
 void hobe_element_stiffnesses(const hobe_element *element, struct stiffnesses *stiffnesses);
+
+/* Force and tangent of a batch of such elements as in kernel.h, by the element's plan; and how many
+ * hobe_lanes of scratch they take of elements of a kernel, as all of a kernel's functions do. */
+void hobe_element_batch_force(const hobe_element *element, const hobe_lanes *q0,
+                              const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch);
+void hobe_element_batch_tangent(const hobe_element *element, const hobe_lanes *q0,
+                                const hobe_lanes *u, hobe_lanes *f, hobe_lanes *K,
+                                hobe_lanes *scratch);
+size_t hobe_element_scratch(const struct hobe_kernel *kernel);
 
 /* The elastic law per length that the element was made with, owned by it. */
 const struct hobe_law *hobe_element_law(const hobe_element *element);

@@ -80,29 +80,41 @@ static int read_values(const struct ladder *ladder, const struct ladder_record *
 
 /* ---- runs ----------------------------------------------------------------------------------- */
 
-/* One run of a model: its record, to be freed, and its sentence where it fails. */
-static enum hobe_status run(const struct ladder_options *options, const char *what,
-                            const char *model, struct ladder_record *record, struct hobe_text *why,
-                            double *seconds, struct hobe_error *err)
+/* One run of a model and what is common to all: its record, to be freed, and its sentence where it
+ * fails. */
+static enum hobe_status run(const struct ladder_options *options, const struct ladder *ladder,
+                            const char *what, const char *model, struct ladder_record *record,
+                            struct hobe_text *why, double *seconds, struct hobe_error *err)
 {
+    struct hobe_text words = {0};
     *record = (struct ladder_record){0};
-    if (options->progress)
-        options->progress(what, model);
-    const enum hobe_status status =
-        options->run(options->context, model, record, why, seconds, err);
+    hobe_text_add(&words, "%s%s", model, ladder->common.at ? ladder->common.at : "");
+    const char *said = words.at ? words.at : "";
+    enum hobe_status status = hobe_text_check(&words, err);
+    if (!status && options->progress)
+        options->progress(what, said);
+    if (!status)
+        status = options->run(options->context, said, record, why, seconds, err);
+    hobe_text_free(&words);
     return status ? status : hobe_text_check(why, err);
 }
 
-/* Asks the case, at its own parameters, what it measures and which models it has. */
+/* Asks the case, at the first values given, what it measures and which models it has. */
 static enum hobe_status ask(const struct ladder_options *options, struct ladder *ladder,
                             struct ladder_record *record, struct hobe_error *err)
 {
-    struct hobe_text why = {0};
+    struct hobe_text why = {0}, words = {0};
     double seconds;
-    enum hobe_status status = run(options, "asking", "", record, &why, &seconds, err);
+    for (int i = 0; i < options->given; i++)
+        hobe_text_add(&words, " %s=%s", options->axis[i].name, options->axis[i].value[0]);
+    enum hobe_status status = hobe_text_check(&words, err);
+    if (!status)
+        status =
+            run(options, ladder, "asking", words.at ? words.at : "", record, &why, &seconds, err);
     if (!status && why.size > 0)
         status = hobe_fail(err, HOBE_BAD_INPUT, NULL, "%s", why.at);
     hobe_text_free(&why);
+    hobe_text_free(&words);
     status = status ? status : read_quantities(record, ladder, err);
     return status ? status : ladder_make_rungs(options, record, ladder, err);
 }
@@ -133,7 +145,8 @@ static enum hobe_status run_rung(const struct ladder_options *options, const str
 {
     struct ladder_record record;
     struct hobe_text why = {0};
-    enum hobe_status status = run(options, what, rung->model, &record, &why, &rung->wasted, err);
+    enum hobe_status status =
+        run(options, ladder, what, rung->model, &record, &why, &rung->wasted, err);
     const int done = !status && why.size == 0 && read_values(ladder, &record, rung->value, &why) &&
                      keep_clocks(rung, &record, &why);
     if (!status && !done && !(rung->why = ladder_copy(why.at ? why.at : "", err)))
@@ -210,8 +223,8 @@ static enum hobe_status run_reference(const struct ladder_options *options,
     hobe_text_free(&words);
     if (!ladder->reference.model[k])
         return HOBE_NO_MEMORY;
-    status =
-        run(options, "reference:", ladder->reference.model[k], &run_record, &why, &seconds, err);
+    status = run(options, ladder, "reference:", ladder->reference.model[k], &run_record, &why,
+                 &seconds, err);
     if (!status && (why.size > 0 || !read_values(ladder, &run_record, value, &why)))
         status = hobe_fail(err, HOBE_BAD_INPUT, NULL, "the reference, %s, fails: %s",
                            ladder->reference.model[k], why.at ? why.at : "");
@@ -254,7 +267,7 @@ static enum hobe_status find_truth(const struct ladder_options *options,
     int unknown = 0;
     for (int q = 0; q < ladder->quantities; q++) {
         struct ladder_quantity *quantity = &ladder->quantity[q];
-        if (isnan(quantity->truth) && options->expectations)
+        if (isnan(quantity->truth) && ladder->common.size == 0)
             quantity->truth = quantity->expect;
         unknown += isnan(quantity->truth);
     }
@@ -331,6 +344,7 @@ void ladder_free(struct ladder *ladder)
     for (int k = 0; k < 2; k++)
         hobe_free(ladder->reference.model[k]);
     ladder_free_groups(ladder);
+    hobe_text_free(&ladder->common);
     hobe_free(ladder->quantity);
     hobe_free(ladder->rung);
     *ladder = (struct ladder){0};

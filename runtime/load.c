@@ -471,12 +471,12 @@ static int is_constant(const struct hobe_force *force)
     return !force->follower && !force->function && !force->history;
 }
 
-void load_touch(const struct hobe_model *model, int changing, unsigned char *touched)
+void load_touch(const struct hobe_model *model, int dead, unsigned char *touched)
 {
     struct station s;
     for (size_t i = 0; i < model->forces.count; i++) {
         const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (changing && is_constant(force))
+        if (!dead && is_constant(force))
             continue;
         find_station(model, force->beam, force->at, force_point(force), NULL, &s);
         touch(model, &s, 0, force->follower || force->function ? 2 : 0, touched);

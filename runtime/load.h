@@ -26,10 +26,9 @@ void load_series(const struct hobe_model *model, const double *const *u,
 void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
                  double factor, const struct beam *beam, int e, double *f);
 
-/* touched[vectors] = 1 at the vectors that forces and moments at places act on; of those alone whose
- * force or stiffness changes with the state or in time where `changing`.  Not of weights and spins.
- */
-void load_touch(const struct hobe_model *model, int changing, unsigned char *touched);
+/* Marks the vectors whose forces or stiffness of loads depend on the state or on time, where `dead`
+ * also those of forces that do not, but for weights and spins: touched[vectors]. */
+void load_touch(const struct hobe_model *model, int dead, unsigned char *touched);
 
 /* Adds the force F, N, at a place of a beam to the forces on the vectors, r[vectors][3].
  * HOBE_UNKNOWN with `where` for a beam that is not there. */

@@ -42,6 +42,7 @@ extern const struct hobe_lua_entry hobe_lua_modes_methods[];     /* lua_modal.c 
 extern const struct hobe_lua_entry hobe_lua_kernel_entries[];    /* lua_kernel.c */
 extern const struct hobe_lua_entry hobe_lua_kernel_methods[];    /* lua_kernel.c */
 extern const struct hobe_lua_entry hobe_lua_report_entries[];    /* lua_report.c */
+extern const struct hobe_lua_entry hobe_lua_chart_entries[];     /* lua_chart.c */
 extern const struct hobe_lua_entry hobe_lua_figure_entries[];    /* lua_figure.c */
 extern const struct hobe_lua_entry hobe_lua_picture_entries[];   /* lua_picture.c */
 extern const struct hobe_lua_entry hobe_lua_vtk_entries[];       /* lua_vtk.c */
@@ -98,6 +99,12 @@ struct hobe_lua {
     struct hobe_text tables; /* tables for stdout */
     struct hobe_text newton; /* the log of all solves as CSV */
     struct hobe_text motion; /* the balance of all motions as CSV */
+    struct hobe_text chart;  /* what hobe.chart says, in lines of a record (ladder.h) */
+    int laddered;            /* groups of models among them */
+    struct {                 /* what the scenes took so far */
+        double setup, solve; /* s */
+        long unknowns;       /* of the largest */
+    } cost;
     struct hobe_lua_file *file;
 };
 
@@ -191,11 +198,16 @@ int luaopen_hobe(lua_State *L);
 /* Raises when an override was never asked for by hobe.param. */
 void hobe_lua_check_overrides(lua_State *L);
 
-enum hobe_lua_format { HOBE_LUA_TABLE, HOBE_LUA_JSON, HOBE_LUA_CSV };
+/* How results are printed; a record is what a ladder reads (ladder.h). */
+enum hobe_lua_format { HOBE_LUA_TABLE, HOBE_LUA_JSON, HOBE_LUA_CSV, HOBE_LUA_RECORD };
 
 /* The end of a run: writes the files, then the report to `to`.  Returns 1, with a sentence on top
  * of the stack, when a value missed its expectation, else 0. */
 int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to);
+
+/* Appends the record of the run, with the values of its report (lua_chart.c). */
+void hobe_lua_add_record(lua_State *L, struct hobe_text *text, const struct hobe_value *value,
+                         size_t count);
 
 /* Writes the reference of the Lua module as Markdown (lua_docs.c). */
 void hobe_lua_print_docs(FILE *to);

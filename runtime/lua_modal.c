@@ -307,6 +307,9 @@ static int find(lua_State *L, const struct hobe_lua_schema *schema, find_modes *
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
+    struct hobe_modes_info info;
+    hobe_modes_info(modes->modes, &info);
+    hobe_lua_context(L)->cost.solve += info.seconds;
     hobe_lua_note_reduced(L, NAN);
     if (hobe_modes_note(modes->modes))
         hobe_lua_note(L, "%s", hobe_modes_note(modes->modes));

@@ -648,6 +648,7 @@ static int solve_static(lua_State *L)
         hobe_lua_raise(L, &err);
     const struct hobe_solution_info info = info_of(*solution);
     hobe_lua_context(L)->factorisations += info.factorisations;
+    hobe_lua_context(L)->cost.solve += info.seconds;
     note_change(L, info.change);
     hobe_lua_note_reduced(L, info.indicator);
     const char *beam;
@@ -750,6 +751,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     double change = 0, indicator = NAN;
     const hobe_solution *last = NULL;
     hobe_path_info(path, &info);
+    hobe_lua_context(L)->cost.solve += info.seconds;
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);

@@ -26,6 +26,11 @@ static const char usage[] =
     "      --time-limit S               processor time that the script may spend in Lua (10)\n"
     "      --memory-limit MB            memory that the script may use in Lua (512)\n"
     "      --trust                      no sandbox, no limits: for scripts of your own\n"
+    "  hobe chart CASE [name=value,...] run a ladder of models of a case: error against time\n"
+    "      --quick                      fewer meshes, three rounds\n"
+    "      --limit S                    processor time of a run (60)\n"
+    "      --out DIR                    write chart.csv, chart.json and the picture to a folder\n"
+    "      --format table|json|csv      how results are printed (table)\n"
     "  hobe elements                    list the elements built in\n"
     "      --explain NAME               one of them in detail\n"
     "  hobe bench                       time elements and scenes beside the machine's peak\n"
@@ -81,16 +86,6 @@ static void complain_error_value(const char *script, const char *type)
 
 /* ---- hobe run ------------------------------------------------------------------------------- */
 
-struct run {
-    const char *script, *folder;
-    enum hobe_lua_format format;
-    int log, trust, resume;
-    double seconds, megabytes; /* < 0: not given; 0: no limit */
-    int overrides;
-    char **override; /* [overrides] "name=value" */
-    FILE *to;        /* standard output; file descriptor 1 leads to standard error meanwhile */
-};
-
 static void set_context(lua_State *L, const struct run *run)
 {
     struct hobe_lua *context = hobe_lua_context(L);
@@ -137,8 +132,7 @@ static int run_protected(lua_State *L)
     return hobe_lua_finish(L, run->format, run->to);
 }
 
-/* Runs the script; returns the exit status. */
-static int run_script(struct run *run)
+int run_script(struct run *run)
 {
     lua_State *L = hobe_lua_new_state(run->script, (size_t)(run->megabytes * 1048576));
     if (!L)
@@ -176,9 +170,9 @@ static int start(struct run *run)
 {
     struct hobe_error err;
     if (run->seconds < 0)
-        run->seconds = run->trust ? 0 : 10;
+        run->seconds = run->trust ? 0 : RUN_SECONDS;
     if (run->megabytes < 0)
-        run->megabytes = run->trust ? 0 : 512;
+        run->megabytes = run->trust ? 0 : RUN_MEGABYTES;
     if (run->folder && hobe_make_folder(run->folder, &err))
         return complain(err.message, 1);
     if (run->folder && access(run->folder, W_OK | X_OK))
@@ -412,6 +406,8 @@ int main(int argc, char **argv)
         return command_run(argc, argv);
     if (!strcmp(command, "elements"))
         return command_elements(argc, argv);
+    if (!strcmp(command, "chart"))
+        return command_chart(argc, argv);
     if (!strcmp(command, "bench"))
         return command_bench(argc, argv);
     if (!strcmp(command, "docs"))

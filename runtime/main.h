@@ -21,6 +21,26 @@ int read_format(const char *text, enum hobe_lua_format *format);
 /* Prints a text and frees it; the exit status. */
 int print_text(struct hobe_text *text);
 
+/* A run of a case. */
+struct run {
+    const char *script, *folder;
+    enum hobe_lua_format format;
+    int log, trust, resume;
+    double seconds, megabytes; /* < 0: not given; 0: no limit */
+    int overrides;
+    char **override; /* [overrides] "name=value" */
+    FILE *to;        /* where results go; file descriptor 1 leads to standard error meanwhile */
+};
+
+/* What a script may take that is not trusted: s of processor time in Lua, and MB. */
+enum { RUN_SECONDS = 10, RUN_MEGABYTES = 512 };
+
+/* Runs the script; returns the exit status. */
+int run_script(struct run *run);
+
+/* hobe chart, argv[2..] its arguments; the exit status (main_chart.c). */
+int command_chart(int argc, char **argv);
+
 /* hobe bench, argv[2..] its arguments; the exit status (main_bench.c). */
 int command_bench(int argc, char **argv);
 

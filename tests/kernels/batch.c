@@ -91,6 +91,11 @@ real matrix_error(const struct fixture *fx, const real *K, const real *exact)
 
 /* ---- batches -------------------------------------------------------------------------------- */
 
+static size_t scratch(const struct fixture *fx)
+{
+    return fx->points ? POINTS_SCRATCH * (size_t)fx->kernel->vectors : fx->kernel->scratch;
+}
+
 void batch_open(const struct fixture *fx, struct batch *b)
 {
     const size_t dofs = (size_t)fx->dofs, vectors = (size_t)fx->kernel->vectors;
@@ -100,7 +105,7 @@ void batch_open(const struct fixture *fx, struct batch *b)
     b->f = grab(dofs, sizeof(hobe_lanes));
     b->U = grab(1, sizeof(hobe_lanes));
     b->K = grab(9 * vectors * (vectors + 1) / 2, sizeof(hobe_lanes));
-    b->scratch = grab(fx->kernel->scratch, sizeof(hobe_lanes));
+    b->scratch = grab(scratch(fx), sizeof(hobe_lanes));
     b->exact_q0 = grab(HOBE_LANES * dofs, sizeof(real));
     b->exact_u = grab(HOBE_LANES * dofs, sizeof(real));
 }
@@ -182,7 +187,7 @@ static void spoil(hobe_lanes *a, size_t count)
 static void spoil_force(const struct fixture *fx, struct batch *b)
 {
     spoil(b->f, (size_t)fx->dofs);
-    spoil(b->scratch, fx->kernel->scratch);
+    spoil(b->scratch, scratch(fx));
 }
 
 void run_energy(const struct fixture *fx, const struct hobe_invariants *inv, struct batch *b)
@@ -194,7 +199,10 @@ void run_energy(const struct fixture *fx, const struct hobe_invariants *inv, str
 void run_force(const struct fixture *fx, const struct hobe_invariants *inv, struct batch *b)
 {
     spoil_force(fx, b);
-    fx->kernel->force(inv, b->q0, b->u, b->f, b->scratch);
+    if (fx->points)
+        points_evaluate()(fx->points, b->q0, b->u, b->f, NULL, b->scratch);
+    else
+        fx->kernel->force(inv, b->q0, b->u, b->f, b->scratch);
 }
 
 void run_tangent(const struct fixture *fx, const struct hobe_invariants *inv, struct batch *b)
@@ -202,7 +210,10 @@ void run_tangent(const struct fixture *fx, const struct hobe_invariants *inv, st
     const size_t n = (size_t)fx->kernel->vectors;
     spoil_force(fx, b);
     spoil(b->K, 9 * n * (n + 1) / 2);
-    fx->kernel->tangent(inv, b->q0, b->u, b->f, b->K, b->scratch);
+    if (fx->points)
+        points_evaluate()(fx->points, b->q0, b->u, b->f, b->K, b->scratch);
+    else
+        fx->kernel->tangent(inv, b->q0, b->u, b->f, b->K, b->scratch);
 }
 
 void run_trilinear(const struct fixture *fx, const hobe_lanes *p, const hobe_lanes *q,

@@ -62,3 +62,19 @@ void check_plans(struct fixture *fx)
     }
     batch_close(&b);
 }
+
+void check_points(struct fixture *fx, int small)
+{
+    static const struct names points = {"points: force beside the kernel's",
+                                        "points: tangent beside the kernel's"};
+    struct batch b;
+    batch_open(fx, &b);
+    batch_random(fx, &b, 0.3L);
+    run_tangent(fx, &fx->inv, &b);
+    fixture_take_points(fx);
+    compare(fx, &fx->inv, &b, &points);
+    if (small)
+        check_round_off(fx, 0);
+    fixture_drop_points(fx);
+    batch_close(&b);
+}

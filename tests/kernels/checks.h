@@ -21,6 +21,9 @@ void check_identities(const struct fixture *fx);
  * it long, where asked for. */
 void check_round_off(const struct fixture *fx, int tangent);
 
+/* The plan "points" beside the kernel's, and at small strains where asked for. */
+void check_points(struct fixture *fx, int small);
+
 /* Both plans with every symmetry that the section has, against the plan "section" that knows of
  * none; leaves the tensor with the section's own symmetry in use, for the other checks. */
 void check_plans(struct fixture *fx);

@@ -201,36 +201,77 @@ static struct hobe_section_rule rule_at(const struct fixture *fx,
     return (struct hobe_section_rule){rule->points, point};
 }
 
-static void fill(const struct fixture *fx, const double (*gauss)[2], struct hobe_invariants *inv)
-{
-    const int relieved = fx->beam.mechanics == PW_AVERAGE || fx->beam.mechanics == PW_MEAN_SHEAR;
-    const struct hobe_law law = {1, &fx->law, &fx->density, fx->mean_law, relieved};
+/* What the fixture is made of, as kernel->invariants takes it. */
+struct input {
+    struct hobe_law law;
     struct hobe_station station[PW_GAUSS];
     double q0[PW_DOFS];
-    for (int s = 0; s < PW_GAUSS; s++)
-        station[s] = (struct hobe_station){
+    int sections;
+};
+
+static void open_input(const struct fixture *fx, int stations, const double (*gauss)[2],
+                       struct input *in)
+{
+    const int relieved = fx->beam.mechanics == PW_AVERAGE || fx->beam.mechanics == PW_MEAN_SHEAR;
+    in->law = (struct hobe_law){1, &fx->law, &fx->density, fx->mean_law, relieved};
+    in->sections = fx->curved ? stations : 1;
+    for (int s = 0; s < in->sections; s++) {
+        struct hobe_station *station = in->station + s;
+        *station = (struct hobe_station){
             fx->rule,
             fx->mean,
             fx->mean,
             (double)fx->beam.J,
             {(double)fx->beam.ys, (double)fx->beam.zs},
         };
-    if (!fx->curved) {
-        fx->kernel->invariants(inv, gauss, 1, station, &law, NULL);
-        return;
+        if (!fx->curved)
+            continue;
+        station->rule = rule_at(fx, &fx->rule, gauss[s][0]);
+        station->mean_normal = rule_at(fx, &fx->mean, gauss[s][0]);
+        station->mean_shear = station->mean_normal;
     }
-    for (int i = 0; i < fx->dofs; i++)
-        q0[i] = (double)fx->curved[i];
-    for (int s = 0; s < inv->stations; s++) {
-        station[s].rule = rule_at(fx, &fx->rule, gauss[s][0]);
-        station[s].mean_normal = rule_at(fx, &fx->mean, gauss[s][0]);
-        station[s].mean_shear = station[s].mean_normal;
+    for (int i = 0; fx->curved && i < fx->dofs; i++)
+        in->q0[i] = (double)fx->curved[i];
+}
+
+static void close_input(const struct fixture *fx, struct input *in)
+{
+    for (int s = 0; fx->curved && s < in->sections; s++) {
+        free((void *)in->station[s].rule.point);
+        free((void *)in->station[s].mean_normal.point);
     }
-    fx->kernel->invariants(inv, gauss, inv->stations, station, &law, q0);
-    for (int s = 0; s < inv->stations; s++) {
-        free((void *)station[s].rule.point);
-        free((void *)station[s].mean_normal.point);
+}
+
+static void fill(const struct fixture *fx, const double (*gauss)[2], struct hobe_invariants *inv)
+{
+    struct input in;
+    open_input(fx, inv->stations, gauss, &in);
+    fx->kernel->invariants(inv, gauss, in.sections, in.station, &in.law, fx->curved ? in.q0 : NULL);
+    close_input(fx, &in);
+}
+
+void fixture_take_points(struct fixture *fx)
+{
+    struct input in;
+    struct hobe_error err;
+    double gauss[PW_GAUSS][2];
+    for (int s = 0; s < fx->inv.stations; s++)
+        gauss[s][0] = fx->inv.xi[s];
+    open_input(fx, fx->inv.stations, (const double(*)[2])gauss, &in);
+    fx->points = grab(1, sizeof *fx->points);
+    if (points_open(fx->points, fx->kernel, &fx->inv, in.sections, in.station, &in.law,
+                    fx->curved ? in.q0 : NULL, &err)) {
+        fprintf(stderr, "%s\n", err.message);
+        exit(2);
     }
+    close_input(fx, &in);
+}
+
+void fixture_drop_points(struct fixture *fx)
+{
+    points_close(fx->points);
+    free(fx->points);
+    fx->points = NULL;
 }
 
 void set_section_plan(const struct hobe_kernel *kernel, int symmetry, struct hobe_invariants *inv)

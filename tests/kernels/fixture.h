@@ -5,6 +5,7 @@
 #define HOBE_TEST_FIXTURE_H
 
 #include "kernel.h"
+#include "points.h"
 #include "pointwise.h"
 
 /* One kernel with one elastic law. */
@@ -20,6 +21,7 @@ struct fixture {
     struct hobe_elasticity law, mean_law;
     real *curved; /* [dofs] its reference where it is not straight and prismatic */
     struct hobe_invariants inv;
+    struct points *points; /* force and tangent are taken by them, unless NULL */
 };
 
 /* Aligned memory filled with NaN, so that a read of what nobody wrote shows.  Ends the program
@@ -44,6 +46,10 @@ void fixture_close(struct fixture *fx);
 /* From now on both plans have only the numbers that this symmetry leaves, and force and tangent are
  * products with the tensor where it has HOBE_SYMMETRIC_X. */
 void fixture_set_plans(struct fixture *fx, int symmetry);
+
+/* From now on force and tangent are taken by points; until fixture_drop_points. */
+void fixture_take_points(struct fixture *fx);
+void fixture_drop_points(struct fixture *fx);
 
 /* The plan "section" of a kernel with what this symmetry leaves; an array to be freed by
  * free_invariants. */

@@ -38,8 +38,10 @@ static void check_kernel(const struct hobe_kernel *kernel)
         check_round_off(&fx, first(law));
         check_identities(&fx);
         check_rigid(&fx);
-        if (law != PW_STRUCTURAL)
+        if (law != PW_STRUCTURAL) {
             check_homogeneous(&fx);
+            check_points(&fx, first(law));
+        }
         if (!fx.known && first(law))
             printf("note: the evaluator does not know %s: checked for consistency only\n",
                    kernel->name);
@@ -59,6 +61,8 @@ static void check_curved(const struct hobe_kernel *kernel)
             check_values(&fx);
             check_round_off(&fx, first(law));
             check_rigid(&fx);
+            if (law != PW_STRUCTURAL)
+                check_points(&fx, 0);
             if (first(law))
                 check_strain(&fx);
             if (law == PW_AVERAGE) /* a rod's points are not the evaluator's of the volume */
