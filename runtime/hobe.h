@@ -730,7 +730,7 @@ struct hobe_solution_info {
     double time;     /* s, of drives, histories and hobe_dynamic */
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                         stable, as it may be with some where the scene spins (hobe_modal tells);
-                        -1: not counted, as by hobe_static but by series */
+                        -1: not counted, as by hobe_static then, and with follower forces */
     double residual; /* of the last iteration */
     double change;   /* of the displacements by a last correction, beyond what tolerance asked for,
                         relative to their size, in the norm sum u^2 K_0 over the diagonal of the
@@ -1040,7 +1040,7 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
 enum hobe_status hobe_solution_mesh_error(const hobe_solution *solution, const char *beam,
                                           double *share, struct hobe_error *err);
 
-/* The sentence to warn with where that is 1/20 or more, "" where it is less. */
+/* The sentence to warn with where that is 1/100 or more, "" where it is less. */
 enum hobe_status hobe_solution_mesh_warning(const hobe_solution *solution, const char *beam,
                                             char *text, size_t size, struct hobe_error *err);
 
