@@ -159,7 +159,10 @@ static enum hobe_status solve_modes(struct cut *cut, const struct hobe_projectio
     enum hobe_status status = HOBE_OK;
     long below = 0;
     *count = open ? FIRST_MODES : projection->modes - cut->boundary;
-    for (int again = *count > 0; !status && again && *count < cut->interior;) {
+    if (cut->interior == 0)
+        *count = 0;
+    for (int again = *count > 0 && (open || *count < cut->interior); !status && again;) {
+        *count = *count < cut->interior ? *count : cut->interior;
         struct hobe_modal_options options = {.modes = (int)*count};
         int unstable;
         status = pencil_choose(&cut->s, &options, err);
@@ -167,7 +170,7 @@ static enum hobe_status solve_modes(struct cut *cut, const struct hobe_projectio
             status = pencil_solve(&cut->s, &options, &unstable, err);
         while (!status && open && below < *count && cut->s.mu[below] <= most)
             below++;
-        again = open && below == *count;
+        again = open && below == *count && below < cut->interior;
         if (open)
             *count = again ? 2 * *count : below;
     }
