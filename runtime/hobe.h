@@ -696,6 +696,7 @@ enum hobe_projection_method {
 struct hobe_projection {
     enum hobe_projection_method method;
     int modes;        /* how many; of snapshots 0: as many as `accuracy` asks for */
+    double frequency; /* of components: or all normal modes up to this, rad/s */
     double deviation; /* of components in motion: displacements, relative to the scene's size in
                          the norm of the mass, after which modes are found again; 0: 0.1 */
     double accuracy;  /* of snapshots: the share of them, in the norm of the scaled displacements,
