@@ -151,6 +151,14 @@ static enum hobe_status run_model(void *context, const char *model, int ask,
     return status;
 }
 
+enum hobe_status run_apart(const char *script, const char *words, struct ladder_record *record,
+                           struct hobe_text *why, struct hobe_error *err)
+{
+    struct chart chart = {.script = script, .limit = LIMIT};
+    double seconds;
+    return run_model(&chart, words, 0, record, why, &seconds, err);
+}
+
 /* ---- what is said --------------------------------------------------------------------------- */
 
 /* A line on the terminal that the next one overwrites. */
