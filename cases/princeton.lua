@@ -53,7 +53,7 @@ hobe.report{
   twist = { twist, "deg", expect = 3.23402,          within = 3e-4 },
 }
 hobe.chart{
-  quantities = { "u2", "u3", "twist" }, truth = solid,
+  quantities = { "u2", "u3", "twist" }, truth = solid, doubt = 2e-3,
   ladder = {
     { element = { "BE24", "3333", "MGD30", "3433", "BE24w", "3333w", "MGD30w", "3433w", "BE42", "3363",
                   "MGD30w3", "3333s" },

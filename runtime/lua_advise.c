@@ -73,6 +73,7 @@ static void push_quantities(lua_State *L, const struct trials *t)
     if (status)
         hobe_lua_raise(L, &err);
     hobe_solution_info(*solution, &info);
+    context->cost.solve += info.seconds;
     context->cost.factorisations += info.factorisations;
     ask_beams(L, scene->model, *solution);
 }

@@ -127,9 +127,6 @@ hobe_solution **hobe_lua_new_result(lua_State *L, int scene);
  * returns what it holds, alive as long as the motion (lua_dynamic.c). */
 const hobe_solution *hobe_lua_push_state(lua_State *L, int motion, int i);
 
-/* Raises where the command line wants a linear model of a verb that has none. */
-void hobe_lua_check_linear(lua_State *L, const char *verb);
-
 /* The key `projection` of the table at index 2, which has been read into *projection by that
  * schema: what the solver is to be given, NULL where it is left out; results to train with stay on
  * the stack.  (lua_projection.c) */
@@ -137,6 +134,9 @@ extern const struct hobe_lua_schema hobe_lua_projection_schema;
 const struct hobe_projection *hobe_lua_finish_projection(lua_State *L,
                                                          const struct hobe_lua_schema *schema,
                                                          struct hobe_projection *projection);
+
+/* Raises where the command line wants a linear model of a verb that has none. */
+void hobe_lua_check_linear(lua_State *L, const char *verb);
 
 /* The scene and the table of options of a verb, the schema's name: its first two arguments. */
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,

@@ -7,6 +7,7 @@
 #include "main.h"
 
 #include "element.h"
+#include "points.h"
 
 #include <lualib.h>
 #include <math.h>
@@ -97,6 +98,7 @@ static void set_context(lua_State *L, const struct run *run)
     context->script = run->script;
     context->trusted = run->trust;
     context->resume = run->resume;
+    context->ask = run->ask;
     context->log = run->log;
     context->progress = isatty(STDERR_FILENO);
     context->model = run->model;
@@ -130,10 +132,12 @@ static int run_protected(lua_State *L)
             lua_pushfstring(L, "%s: this is compiled Lua; a case must be source", run->script);
         return lua_error(L);
     }
-    lua_call(L, 0, 0);
+    if (lua_pcall(L, 0, 0, 0) && lua_touserdata(L, -1) != hobe_lua_context(L))
+        return lua_error(L);
     hobe_lua_check_memory();
     hobe_lua_pause_clock(); /* for good: the rest is not the script's */
-    hobe_lua_check_overrides(L);
+    if (!run->ask)          /* else not all parameters may have been reached */
+        hobe_lua_check_overrides(L);
     return hobe_lua_finish(L, run->format, run->to);
 }
 
@@ -318,30 +322,48 @@ static void join_modes(struct hobe_text *text, const struct hobe_kernel *kernel)
         hobe_text_add(text, k > 0 ? " %s" : "%s", kernel->mode[k]);
 }
 
-/* The two ways to force and tangent, what they cost, and where each is taken. */
+/* One plan's flops, and for which task it is taken. */
+static void explain_cost(struct hobe_text *text, const char *plan,
+                         const struct hobe_plan_cost *cost, const int taken[2])
+{
+    hobe_text_add(text, "%s %ld%s, %ld%s", plan, cost->flops_force, taken[0] ? " (taken)" : "",
+                  cost->flops_tangent, taken[1] ? " (taken)" : "");
+}
+
 /* What each plan costs on a straight beam and on one that is curved or tapered, by the symmetry
  * that the section keeps; the tensor is for straight ones. */
-static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
+static void explain_symmetry(struct hobe_text *text, const struct hobe_kernel *k, int s)
 {
     static const char *const section[] = {"any section", "symmetric in y", "symmetric in z",
                                           "symmetric in y and z"};
+    const int straight = s & HOBE_SYMMETRIC_X;
+    int tensor[2], stations[2];
+    for (int t = 0; t < 2; t++)
+        stations[t] = !(tensor[t] = hobe_tensor_pays(k, s, t));
+    hobe_text_add(text, "  %s, %s: ", straight ? "straight" : "varying", section[s / 2]);
+    explain_cost(text, "section", k->section_cost + s, stations);
+    if (straight) {
+        explain_cost(text, "; tensor", k->tensor_cost + s, tensor);
+        hobe_text_add(text, " at %.3g, %.3g times the speed", hobe_tensor_speed(k, s, 0),
+                      hobe_tensor_speed(k, s, 1));
+    }
+    hobe_text_add(text, "\n");
+}
+
+static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
+{
     if (!k->section) {
         hobe_text_add(text, "flops of force, and of force and tangent: %ld, %ld\n", k->flops_force,
                       k->flops_tangent);
         return;
     }
-    hobe_text_add(text, "flops of force, and of force and tangent, by two plans:\n");
-    for (int s = HOBE_SYMMETRIES - 1; s >= 0; s--) {
-        const struct hobe_plan_cost *by_station = k->section_cost + s, *whole = k->tensor_cost + s;
-        const int straight = s & HOBE_SYMMETRIC_X, pays = hobe_tensor_pays(k, s);
-        hobe_text_add(text, "  %s, %s: section %ld, %ld%s", straight ? "straight" : "varying",
-                      section[s / 2], by_station->flops_force, by_station->flops_tangent,
-                      pays ? "" : " (taken)");
-        if (straight)
-            hobe_text_add(text, "; tensor %ld, %ld%s", whole->flops_force, whole->flops_tangent,
-                          pays ? " (taken: faster)" : "");
-        hobe_text_add(text, "\n");
-    }
+    const int points = points_of_rectangle(k);
+    hobe_text_add(text, "flops of force, and of force and tangent, by each plan; taken is what has "
+                        "least for its speed:\n");
+    hobe_text_add(text, "  by %d points of a rectangle, to compare with: %.0f, %.0f\n", points,
+                  points_flops(k->vectors, points, 0), points_flops(k->vectors, points, 1));
+    for (int s = HOBE_SYMMETRIES - 1; s >= 0; s--)
+        explain_symmetry(text, k, s);
 }
 
 static int explain_element(const char *name)

@@ -28,6 +28,7 @@ struct run {
     const char *script, *folder;
     enum hobe_lua_format format;
     int log, trust, resume;
+    int ask;                          /* the script ends with hobe.chart, if it calls that */
     const struct advise_model *model; /* of all scenes, or NULL: as they say */
     double seconds, megabytes;        /* < 0: not given; 0: no limit */
     int overrides;

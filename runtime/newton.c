@@ -576,7 +576,9 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
     s->info.projected = s->space.count;
     s->info.outside = s->space.count > 0 ? whole_norm(s, s->r, 1) / s->load_norm : 0;
     hobe_solution *taken = solution_new(s->model, s->u, NULL, NULL, &s->info, err);
-    if (taken && s->model->reduction && trust_ask(s->model->reduction->whole, taken, err)) {
+    const int few = s->model->reduction || s->space.count > 0;
+    double size = 0;
+    if (taken && few && trust_ask((hobe_model *)model_whole(s->model), taken, &size, err)) {
         hobe_solution_free(taken);
         return NULL;
     }
@@ -612,9 +614,11 @@ static enum hobe_status follow_series(hobe_model *model, const struct hobe_newto
     if (status)
         return status;
     hobe_path_info(path, &info);
-    if (info.end == HOBE_PATH_LOAD)
+    if (info.end == HOBE_PATH_LOAD) {
         *solution = hobe_path_take(path, info.points - 1);
-    else
+        if (model->spun)
+            (*solution)->info.negative = -1;
+    } else
         status = hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
                            "the path to the full load does not come to it in %d series; look where "
                            "it goes with hobe.path",
@@ -654,6 +658,27 @@ static enum hobe_status find(struct solver *s, struct hobe_error *err)
     return outcome == CONVERGED ? HOBE_OK : run_steps(s, err);
 }
 
+/* Counts the negative eigenvalues at the equilibrium: of the factors of the last iteration, which
+ * are there, and where those have any of the tangent itself.  A scene that spins may be stable with
+ * some, and follower forces have no symmetric tangent: not counted. */
+static enum hobe_status count_negative(struct solver *s, struct hobe_error *err)
+{
+    long negative = 1;
+    if (s->K.layout != FRONTS || s->model->spun || load_follower(s->model))
+        return HOBE_OK;
+    if (s->info.factorisations > 0 && s->factored == FRONTS && solver_negative(s, &negative, err))
+        return err ? err->status : HOBE_NO_MEMORY;
+    if (negative != 0) {
+        negative = -1;
+        solver_evaluate(s, 1, TRUE_TANGENT);
+        const enum outcome outcome = solver_factor(s, err);
+        if (outcome == ERROR || (outcome == CONVERGED && solver_negative(s, &negative, err)))
+            return err ? err->status : HOBE_NO_MEMORY;
+    }
+    s->info.negative = (int)negative;
+    return HOBE_OK;
+}
+
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err)
 {
@@ -669,9 +694,11 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     const int loaded = !status && s.load_norm > 0;
     if (loaded && options->method == HOBE_METHOD_SERIES && !options->linear)
         status = follow_series(model, &s.options, solution, err);
-    else if (loaded)
+    else if (loaded) {
         status = find(&s, err);
-    else
+        if (!status)
+            status = count_negative(&s, err);
+    } else
         s.info.load = s.info.smallest_volume = 1; /* no load: the reference is the answer */
     if (!status && !*solution) {
         *solution = solver_take(&s, started, err);
