@@ -291,15 +291,18 @@ static enum hobe_status add_mesh(struct search *s, int l, int elements, int *ran
     return HOBE_OK;
 }
 
-/* One more term, on a mesh twice as fine. */
+/* One more term, on a mesh twice as fine; where that does not run, the sequence begins anew on the
+ * next. */
 static enum hobe_status refine(struct search *s, int l, int which, struct hobe_error *err)
 {
     const struct sequence *of = &s->level[l].of[which];
-    const int next = of->count > 0 ? 2 * of->mesh[of->count - 1] : 1;
-    int ran = next <= s->problem->most && of->count < DOUBLINGS;
+    int next = of->count > 0 ? 2 * of->mesh[of->count - 1] : 1, ran = 0;
     enum hobe_status status = HOBE_OK;
-    for (int k = 0; !status && ran && k <= which; k++)
-        status = add_mesh(s, l - k, next, &ran, err);
+    for (int k = 0; !status && !ran && k < 2 && next <= s->problem->most; k++, next *= 2) {
+        ran = 1;
+        for (int below = 0; !status && ran && below <= which; below++)
+            status = add_mesh(s, l - below, next, &ran, err);
+    }
     s->level[l].closed[which] = !ran;
     return status;
 }

@@ -1,0 +1,86 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# hobe advise, and scenes that choose their model, from outside.
+#
+# From ctest: HOBE, the program.
+set -u
+hobe=$(realpath "${HOBE:?set HOBE to the program}")
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+failed=0
+
+complain() {
+    echo "run_advise: $*" >&2
+    sed 's/^/    stderr: /' stderr >&2
+    failed=$((failed + 1))
+}
+
+# run STATUS ARGUMENTS...: runs the program, keeps stdout and stderr, checks the exit status.
+run() {
+    want=$1
+    shift
+    timeout 120 "$hobe" "$@" >stdout 2>stderr
+    got=$?
+    [ "$got" -eq "$want" ] || complain "hobe $*: exit status $got instead of $want"
+}
+
+# has FILE REGEX
+has() {
+    grep -Eq -- "$2" "$1" || complain "$1 should have: $2"
+}
+
+cat >beam.lua <<'END'
+local hobe = require "hobe"
+local P = hobe.param("P", 1)
+local scene = hobe.scene{
+  hobe.beam{ name = "bar", element = "MGD30w", elements = 2,
+             section = hobe.rectangle{ width = 0.01, height = 0.02 },
+             material = { E = 210e9, nu = 0.3 }, from = {0, 0, 0}, to = {1, 0, 0} },
+  hobe.clamp{ "bar", at = 0 },
+  hobe.force{ "bar", at = 1, value = {0, 0, -P} },
+  accuracy = hobe.param("choose", false) and 1e-2 or nil,
+}
+local r = hobe.static(scene)
+hobe.report{ sag = { r:displacement("bar", 1)[3], "m" }, elements = scene.elements }
+hobe.chart{ quantities = { "sag" } }
+END
+
+# A slender beam under a small load: neither warping nor large displacements are needed.  The error
+# of a beam without shear is (h/L)^2 times less than one.
+run 0 advise beam.lua --accuracy 1e-2
+has stdout '^accuracy 0\.01 is held by [^ ]+, 1 element, linear: error about .* in sag$'
+has stdout '^  hobe run beam\.lua --model=[^ ]+:1:linear$'
+has stdout '^warping in torsion +left out'
+has stdout '^large displacements +left out'
+has stdout '^shear +kept'
+command=$(sed -n 's/^  hobe //p' stdout)
+told=$(sed -n 's/^sag *\([^ ]*\).*/\1/p' stdout)
+# shellcheck disable=SC2086 # arguments are words
+run 0 $command
+has stdout "^sag +$told "
+has stdout '^elements +1'
+
+# Under a load that bends it far the response is not linear; parameters are passed on.
+run 0 advise beam.lua P=3000 --accuracy 1e-2
+has stdout '^large displacements +needed'
+has stdout '^  hobe run beam\.lua P=3000 --model=[^ :]+:[0-9]+$'
+
+# In place: the scene that is solved is the one chosen.
+run 0 run beam.lua choose=true
+has stdout '^accuracy 0\.01 is held by [^ ]+, 1 element: error about'
+has stdout '^elements +1'
+
+# What cannot be asked for.
+run 2 advise
+run 2 advise beam.lua --accuracy 2
+has stderr '--accuracy must be a number between 0 and 1, got "2"'
+run 1 advise nowhere.lua
+has stderr 'nowhere\.lua'
+run 1 run beam.lua --model=MGD30w
+has stderr 'a model is ELEMENT:ELEMENTS.*got "MGD30w"'
+run 1 run beam.lua --model=MGD30v:2
+has stderr 'MGD30v'
+
+[ "$failed" -eq 0 ] || exit 1
+echo "run_advise: no complaints"
