@@ -185,7 +185,7 @@ static void enter_plans(struct race *race, int tangent)
         enter(race, run_kernel,
               &(struct entrant){.kind = "kernel",
                                 .plan = s->plan[i].name,
-                                .taken = s->plan[i].taken,
+                                .taken = s->plan[i].taken[tangent],
                                 .tangent = tangent,
                                 .flops = HOBE_LANES * s->plan[i].flops[tangent],
                                 .subject = s,
@@ -197,7 +197,8 @@ static void enter_baselines(struct race *race, const struct rivals *rivals, int 
     struct entrant e = {.kind = "baseline", .tangent = tangent, .rivals = rivals};
     if (rivals->points.vectors) {
         e.plan = "points";
-        e.flops = HOBE_LANES * points_flops(&rivals->points, tangent);
+        e.flops = HOBE_LANES * points_flops(rivals->points.vectors,
+                                            points_of_rectangle(race->subject->kernel), tangent);
         race->points[tangent] = enter(race, run_points, &e);
     }
     if (rivals->tensors.vectors) {

@@ -82,28 +82,35 @@ static enum hobe_status set_state(struct bench_subject *s, struct hobe_error *er
     return HOBE_OK;
 }
 
+static struct bench_plan *add_plan(struct bench_subject *s, const char *name, int tensor,
+                                   const hobe_element *element)
+{
+    struct bench_plan *plan = s->plan + s->plans++;
+    *plan = (struct bench_plan){.name = name, .inv = *hobe_element_invariants(element)};
+    for (int t = 0; t < 2; t++)
+        plan->taken[t] = hobe_element_by_tensor(element, t) == tensor;
+    return plan;
+}
+
 /* From station to station.  The generator counts flops for straight, prismatic elements. */
-static void add_section_plan(struct bench_subject *s, const struct hobe_invariants *inv)
+static void add_section_plan(struct bench_subject *s, const hobe_element *element)
 {
     const struct hobe_kernel *k = s->kernel;
-    struct bench_plan *plan = s->plan + s->plans++;
-    *plan = (struct bench_plan){.name = "section", .taken = !inv->tensor, .inv = *inv};
-    plan->inv.tensor = NULL;
-    if (inv->stations != k->stations)
+    struct bench_plan *plan = add_plan(s, "section", 0, element);
+    if (plan->inv.stations != k->stations)
         return;
-    const struct hobe_plan_cost *cost = k->section ? k->section_cost + inv->symmetry : NULL;
+    const struct hobe_plan_cost *cost = k->section ? k->section_cost + plan->inv.symmetry : NULL;
     plan->flops[0] = (double)(cost ? cost->flops_force : k->flops_force);
     plan->flops[1] = (double)(cost ? cost->flops_tangent : k->flops_tangent);
 }
 
 /* By products with a tensor, which the element may not have. */
-static enum hobe_status add_tensor_plan(struct bench_subject *s, const struct hobe_invariants *inv,
+static enum hobe_status add_tensor_plan(struct bench_subject *s, const hobe_element *element,
                                         struct hobe_error *err)
 {
     const struct hobe_kernel *k = s->kernel;
-    struct bench_plan *plan = s->plan + s->plans++;
-    *plan = (struct bench_plan){.name = "tensor", .taken = inv->tensor != NULL, .inv = *inv};
-    const struct hobe_plan_cost *size = k->tensor_cost + inv->symmetry;
+    struct bench_plan *plan = add_plan(s, "tensor", 1, element);
+    const struct hobe_plan_cost *size = k->tensor_cost + plan->inv.symmetry;
     plan->flops[0] = (double)size->flops_force;
     plan->flops[1] = (double)size->flops_tangent;
     plan->inv.tensor = s->tensor = hobe_alloc(size->numbers, sizeof(double), err);
@@ -117,9 +124,10 @@ static enum hobe_status add_tensor_plan(struct bench_subject *s, const struct ho
 static enum hobe_status set_plans(struct bench_subject *s, const hobe_element *element,
                                   struct hobe_error *err)
 {
-    const struct hobe_invariants *inv = hobe_element_invariants(element);
-    add_section_plan(s, inv);
-    return s->kernel->tensor && !inv->Qc ? add_tensor_plan(s, inv, err) : HOBE_OK;
+    add_section_plan(s, element);
+    return s->kernel->tensor && !hobe_element_invariants(element)->Qc
+               ? add_tensor_plan(s, element, err)
+               : HOBE_OK;
 }
 
 static enum hobe_status set_model(struct bench_subject *s, struct hobe_error *err)

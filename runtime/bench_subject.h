@@ -18,7 +18,7 @@ extern const struct bench_class
 /* One of the kernel's ways to force and tangent: which it takes is decided by the invariants. */
 struct bench_plan {
     const char *name;
-    int taken; /* by hobe for such an element */
+    int taken[2]; /* by hobe for such an element: for force; for force and tangent */
     struct hobe_invariants inv;
     double flops[2]; /* of an element, force; force and tangent; 0: not counted */
 };

@@ -28,7 +28,7 @@ enum hobe_status component_interfaces(const struct hobe_model *model, unsigned c
     unsigned char *touched = hobe_alloc((size_t)model->vectors, sizeof *touched, err);
     if (!touched)
         return HOBE_NO_MEMORY;
-    pattern_mark(model, 1, touched);
+    pattern_mark(model, 0, touched);
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             keep_nodes(model, model_beam(model, i), e, touched, kept);

@@ -4,8 +4,8 @@
  * before. */
 #include "drive.h"
 
+#include "load.h"
 #include "reduction.h"
-
 #include "section.h"
 
 #include <math.h>
@@ -338,8 +338,6 @@ double drive_next(const struct hobe_model *model, double t)
 {
     model = model_whole(model);
     const struct hobe_joint *joint = model->joints.item;
-    const struct hobe_force *force = model->forces.item;
-    const struct hobe_moment *moment = model->moments.item;
     const struct gravity *gravity = model->gravities.item;
     double next = INFINITY;
     for (size_t i = 0; i < model->joints.count; i++) {
@@ -347,9 +345,9 @@ double drive_next(const struct hobe_model *model, double t)
         stop_at(joint[i].position, t, &next);
     }
     for (size_t i = 0; i < model->forces.count; i++)
-        stop_at(force[i].history, t, &next);
+        stop_at(model_force(model, i)->spec.history, t, &next);
     for (size_t i = 0; i < model->moments.count; i++)
-        stop_at(moment[i].history, t, &next);
+        stop_at(model_moment(model, i)->spec.history, t, &next);
     for (size_t i = 0; i < model->gravities.count; i++)
         stop_at(gravity[i].history, t, &next);
     stop_at(model->spin.history, t, &next);

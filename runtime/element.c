@@ -46,7 +46,11 @@ struct hobe_element {
     double *q0; /* [V][3] where curved, pretwisted or tapered, NULL where straight, prismatic */
     struct hobe_rest rest;
     unsigned char dropped[HOBE_MAX_MODES];
-    struct points points; /* vectors = 0: force and tangent are the kernel's own */
+
+    /* The plan: of force alone and of force and tangent. */
+    int by_tensor[2];
+    struct hobe_invariants whole; /* with a tensor; where no task takes it, tensor = NULL */
+    struct points points;         /* vectors = 0: force and tangent are the kernel's own */
 };
 
 const struct hobe_kernel *hobe_find_kernel(const char *name, struct hobe_error *err)
@@ -473,30 +477,43 @@ static enum hobe_status fill_invariants(hobe_element *element,
 
 /* ---- the plan of force and tangent ---------------------------------------------------------- */
 
-/* Operation for operation a tensor's products run that much faster than loops over stations, whose
- * trips are shorter: 1.3 to 2.2 times where both cost about the same, force alone or with the
- * tangent, and 1.05 to 1.15 where the operations are millions (hobe bench, AVX-512). */
-static const double TENSOR_SPEED = 1.5;
-
-int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry)
+double hobe_tensor_speed(const struct hobe_kernel *kernel, int symmetry, int tangent)
 {
-    return kernel->tensor && symmetry & HOBE_SYMMETRIC_X &&
-           (double)kernel->tensor_cost[symmetry].flops_tangent <
-               TENSOR_SPEED * (double)kernel->section_cost[symmetry].flops_tangent;
+    static const double cached[2] = {1.5, 1.8}, streamed[2] = {0.7, 1};
+    const size_t cache = 2 << 20;
+    const size_t size = kernel->tensor_cost[symmetry].numbers * sizeof(double);
+    return (size > cache ? streamed : cached)[tangent];
 }
 
-/* A straight and prismatic element is given its tensor where that is the way to take. */
+int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry, int tangent)
+{
+    if (!kernel->tensor || !(symmetry & HOBE_SYMMETRIC_X))
+        return 0;
+    const struct hobe_plan_cost *tensor = kernel->tensor_cost + symmetry,
+                                *section = kernel->section_cost + symmetry;
+    const double speed = hobe_tensor_speed(kernel, symmetry, tangent);
+    return tangent ? (double)tensor->flops_tangent < speed * (double)section->flops_tangent
+                   : (double)tensor->flops_force < speed * (double)section->flops_force;
+}
+
+/* A straight and prismatic element is given its tensor for the tasks where that is the way to take.
+ */
 static enum hobe_status choose_plan(hobe_element *element, enum plan plan, struct hobe_error *err)
 {
     const struct hobe_kernel *k = element->kernel;
-    struct hobe_invariants *inv = &element->invariants;
-    const int take = plan == CHEAPEST ? hobe_tensor_pays(k, inv->symmetry) : plan == TENSOR;
-    if (!take || !k->tensor || !(inv->symmetry & HOBE_SYMMETRIC_X) || element->q0)
+    const struct hobe_invariants *inv = &element->invariants;
+    const int possible = k->tensor && inv->symmetry & HOBE_SYMMETRIC_X && !element->q0;
+    for (int t = 0; possible && t < 2; t++)
+        element->by_tensor[t] =
+            plan == CHEAPEST ? hobe_tensor_pays(k, inv->symmetry, t) : plan == TENSOR;
+    if (!element->by_tensor[0] && !element->by_tensor[1])
         return HOBE_OK;
-    inv->tensor = hobe_alloc(k->tensor_cost[inv->symmetry].numbers, sizeof *inv->tensor, err);
-    if (!inv->tensor)
+    struct hobe_invariants *whole = &element->whole;
+    *whole = *inv;
+    whole->tensor = hobe_alloc(k->tensor_cost[inv->symmetry].numbers, sizeof *whole->tensor, err);
+    if (!whole->tensor)
         return HOBE_NO_MEMORY;
-    k->tensor(inv);
+    k->tensor(whole);
     return HOBE_OK;
 }
 
@@ -695,7 +712,7 @@ void hobe_element_free(hobe_element *element)
     if (element) {
         hobe_free(element->numbers);
         hobe_free(element->invariants.section);
-        hobe_free(element->invariants.tensor);
+        hobe_free(element->whole.tensor);
         points_close(&element->points);
     }
     hobe_free(element);
@@ -714,6 +731,11 @@ const double *hobe_element_q0(const hobe_element *element)
 const struct hobe_invariants *hobe_element_invariants(const hobe_element *element)
 {
     return &element->invariants;
+}
+
+int hobe_element_by_tensor(const hobe_element *element, int tangent)
+{
+    return element->by_tensor[tangent];
 }
 
 void hobe_element_stiffnesses(const hobe_element *element, struct stiffnesses *s)
@@ -747,13 +769,18 @@ void hobe_element_reference(const hobe_element *element, const double frame[3][3
     hobe_kernel_reference(element->kernel, element->invariants.length, frame, q0);
 }
 
+static const struct hobe_invariants *of_task(const hobe_element *element, int tangent)
+{
+    return element->by_tensor[tangent] ? &element->whole : &element->invariants;
+}
+
 void hobe_element_batch_force(const hobe_element *element, const hobe_lanes *q0,
                               const hobe_lanes *u, hobe_lanes *f, hobe_lanes *scratch)
 {
     if (element->points.vectors)
         points_evaluate()(&element->points, q0, u, f, NULL, scratch);
     else
-        element->kernel->force(&element->invariants, q0, u, f, scratch);
+        element->kernel->force(of_task(element, 0), q0, u, f, scratch);
 }
 
 void hobe_element_batch_tangent(const hobe_element *element, const hobe_lanes *q0,
@@ -763,7 +790,7 @@ void hobe_element_batch_tangent(const hobe_element *element, const hobe_lanes *q
     if (element->points.vectors)
         points_evaluate()(&element->points, q0, u, f, K, scratch);
     else
-        element->kernel->tangent(&element->invariants, q0, u, f, K, scratch);
+        element->kernel->tangent(of_task(element, 1), q0, u, f, K, scratch);
 }
 
 size_t hobe_element_scratch(const struct hobe_kernel *kernel)

@@ -20,13 +20,13 @@ static enum hobe_status add_lack(struct job *job, hobe_model *model, const hobe_
 {
     struct hobe_reduced *r = job->reduced;
     struct trust trust;
-    double indicator;
+    double indicator, size = 0;
     double *lack = hobe_alloc((size_t)(3 * model->vectors), sizeof *lack, err);
     if (!lack)
         return HOBE_NO_MEMORY;
     enum hobe_status status = trust_open(&trust, model, err);
     if (!status)
-        status = trust_measure(&trust, state, &indicator, lack, err);
+        status = trust_measure(&trust, state, &size, &indicator, lack, err);
     trust_close(&trust);
     if (!status)
         status = basis_add(&r->basis, model, job->options, lack, err);

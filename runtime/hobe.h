@@ -741,9 +741,10 @@ struct hobe_solution_info {
     double outside;     /* residual of the full model, most of which a projection does not see */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
-    double indicator;    /* of a reduced model: what its displacements may lack of those of the
-                            whole one, relative to their size; 0 of whole models; NaN: not asked */
-    double seconds;      /* in the verb so far, without set-up */
+    double indicator; /* of a reduced model and of a projection: what its displacements may lack of
+                         those of the whole one, relative to their size, in motion the largest so
+                         far; 0 of whole models; NaN: not asked */
+    double seconds;   /* in the verb so far, without set-up */
 };
 
 /* Static equilibrium under all loads of the model from its reference or options.start; by series

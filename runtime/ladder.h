@@ -48,7 +48,7 @@ double ladder_number(const char *word);
 
 /* What errors are of. */
 struct ladder_quantity {
-    char *name, *unit;
+    char *name, *unit;    /* unit: NULL before a run has told it */
     double truth, expect; /* NaN where not known */
 };
 
@@ -87,7 +87,8 @@ struct ladder_rung {
     double wasted; /* s, of a run that failed, from its start to its end */
     double unknowns;
     double bytes; /* of memory */
-    int front;    /* none is both faster and as right, or as fast and more right */
+    int front;    /* none is both faster and as right, or as fast and more right, as far as the
+                     truth is known */
 };
 
 /* The model that stands for the truth where the case knows none, on its two finest meshes. */
@@ -102,14 +103,17 @@ struct ladder {
     struct ladder_group *group;
     struct ladder_rung *rung; /* in the order of their cost, failures last, once climbed */
     struct ladder_reference reference;
+    double doubt;            /* of the truth, relative: errors below it say nothing */
     struct hobe_text common; /* " P=10": words that all runs share, each after a blank */
 };
 
-/* Runs the case with these words, apart by blanks ("": none).  A run that fails is no
+/* Runs the case with these words, apart by blanks ("": none); where it is asked alone what its
+ * ladder is, it may end with hobe.chart.  A run that fails is no
  * error: *why is its sentence then, of the caller's (hobe_text), and record empty; *seconds is how
  * long it took. */
-typedef enum hobe_status ladder_run(void *context, const char *words, struct ladder_record *record,
-                                    struct hobe_text *why, double *seconds, struct hobe_error *err);
+typedef enum hobe_status ladder_run(void *context, const char *words, int ask,
+                                    struct ladder_record *record, struct hobe_text *why,
+                                    double *seconds, struct hobe_error *err);
 
 struct ladder_options {
     /* From the command line.  Axes take the place of the case's own of the same name, or join them;

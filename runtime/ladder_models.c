@@ -82,7 +82,9 @@ static enum hobe_status read_groups(const struct ladder_record *record, int quic
     while (ladder_find(record, "group", 1, most - 1))
         most++;
     ladder->group = hobe_alloc((size_t)most, sizeof *ladder->group, err);
-    enum hobe_status status = ladder->group ? HOBE_OK : HOBE_NO_MEMORY;
+    if (!ladder->group)
+        return HOBE_NO_MEMORY;
+    enum hobe_status status = HOBE_OK;
     for (int i = 0; !status && i < record->lines; i++) {
         const struct ladder_line *line = &record->line[i];
         ladder->groups += !strcmp(line->word[0], "group");

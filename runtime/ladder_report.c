@@ -168,6 +168,8 @@ static void add_truth(const struct ladder *ladder, struct hobe_text *text)
         hobe_text_add(text, "%s %s %.7g%s%s", q > 0 ? "," : "", quantity->name, quantity->truth,
                       *quantity->unit ? " " : "", quantity->unit);
     }
+    if (ladder->doubt > 0)
+        hobe_text_add(text, "; errors below %.2g say nothing", ladder->doubt);
     if (ladder->reference.model[1])
         hobe_text_add(text, "\n    of %s, from which %s differs by %.2g",
                       ladder->reference.model[1], ladder->reference.model[0],
@@ -264,6 +266,18 @@ static int is_first(const struct ladder *ladder, const struct ladder_rung *rung)
     return 1;
 }
 
+/* How far the truth is known, from the cheapest to the dearest rung. */
+static void add_doubt(const struct ladder *ladder, struct drawing *d)
+{
+    const size_t first = d->points;
+    int last = ladder->rungs - 1;
+    while (last > 0 && ladder->rung[last].why)
+        last--;
+    for (int end = 0; ladder->doubt > 0 && end < 2; end++)
+        add_point(d, ladder->rung[end ? last : 0].time[LADDER_TOTAL].median, ladder->doubt);
+    add_series(d, "doubt of the truth", HOBE_STYLE_LINE, 11, first); /* grey */
+}
+
 /* Fills the drawing: the front below, the kinds on it. */
 static void compose(const struct ladder *ladder, struct drawing *d)
 {
@@ -276,6 +290,7 @@ static void compose(const struct ladder *ladder, struct drawing *d)
             add_point(d, rung->time[LADDER_TOTAL].median, height(rung));
     }
     add_series(d, "front", HOBE_STYLE_LINE, 0, 0);
+    add_doubt(ladder, d);
     for (int p = 0; p < ladder->rungs; p++)
         if (is_first(ladder, at_place(ladder, p)))
             add_kind(ladder, at_place(ladder, p)->kind, ++colour, d);
@@ -285,9 +300,9 @@ static enum hobe_status draw(const struct ladder *ladder, const struct ladder_ca
                              const char *folder, int *drawn, struct hobe_error *err)
 {
     const size_t n = (size_t)ladder->rungs;
-    struct drawing d = {.x = hobe_alloc(2 * n, sizeof *d.x, err),
-                        .y = hobe_alloc(2 * n, sizeof *d.y, err),
-                        .series = hobe_alloc(2 * n + 1, sizeof *d.series, err)};
+    struct drawing d = {.x = hobe_alloc(2 * n + 2, sizeof *d.x, err),
+                        .y = hobe_alloc(2 * n + 2, sizeof *d.y, err),
+                        .series = hobe_alloc(2 * n + 2, sizeof *d.series, err)};
     struct hobe_text title = {0};
     say_case(ladder, of, &title);
     hobe_text_add(&title, ": %d models", ladder->rungs);
@@ -295,7 +310,9 @@ static enum hobe_status draw(const struct ladder *ladder, const struct ladder_ca
     if (!status && d.x && d.y && d.series) {
         compose(ladder, &d);
         const struct hobe_plot plot = {.title = title.at,
-                                       .xlabel = "set-up and solve, s; crosses: failed after",
+                                       .xlabel = ladder->rung[n - 1].why
+                                                     ? "set-up and solve, s; crosses: failed after"
+                                                     : "set-up and solve, s",
                                        .ylabel = "largest relative error",
                                        .count = d.count,
                                        .series = d.series,

@@ -84,14 +84,13 @@ static void find_on_beam(const struct hobe_model *model, struct place place, con
 }
 
 /* What a force or moment acts on in state u; of a body the point, NULL: its centre. */
-static void find_station(const struct hobe_model *model, const char *name, double at,
+static void find_station(const struct hobe_model *model, const struct target *on,
                          const double *point, const double *u, struct station *s)
 {
-    const struct body *body = model_find_body(model, name);
-    if (body)
-        find_on_body(body, point, u, s);
+    if (on->body)
+        find_on_body(on->body, point, u, s);
     else
-        find_on_beam(model, model_place(model_find_beam(model, name, NULL, NULL), at), u, s);
+        find_on_beam(model, on->place, u, s);
 }
 
 /* r += factor * w_v F over the vectors' weights in r, r_y or r_z (of: 0, 1, 2). */
@@ -156,14 +155,15 @@ static void angle_force(const double e[3], const double s[3], double m, double F
  * Each slope is normal to the axis it turns about, so that at rest the moment does work on the
  * rotation about its own axis only.  The centreline's slope takes no part: a couple on it would be
  * carried by shear within one element, and soften without limit as the mesh is refined. */
-static void subtract_moment(const struct hobe_model *model, const struct hobe_moment *moment,
+static void subtract_moment(const struct hobe_model *model, const struct moment *load,
                             const double *u, const struct instant *instant, double factor,
                             double *r, const struct matrix *K)
 {
+    const struct hobe_moment *moment = &load->spec;
     const double scaled =
         factor * drive_factor(model, moment->history, instant->time, moment->where);
     struct station s;
-    find_station(model, moment->beam, moment->at, NULL, u, &s);
+    find_station(model, &load->on, NULL, u, &s);
     const double(*frame)[3] = (const double(*)[3])s.frame;
     double m[3];
     for (int b = 0; b < 3; b++)
@@ -220,20 +220,20 @@ static void follower_derivative(const double slope[2][3], const double t[3][3], 
 }
 
 /* The point of a body that a force acts on; NULL: its centre. */
-static const double *force_point(const struct hobe_force *force)
+static const double *force_point(const struct force *force)
 {
-    return force->at_point ? force->point : NULL;
+    return force->spec.at_point ? force->spec.point : NULL;
 }
 
-static void subtract_follower(const struct hobe_model *model, const struct hobe_force *force,
+static void subtract_follower(const struct hobe_model *model, const struct force *force,
                               const double *u, double factor, double *r, const struct matrix *K)
 {
     struct station s;
     double t[3][3], local[3], F[3] = {0}, n_length;
-    find_station(model, force->beam, force->at, force_point(force), u, &s);
+    find_station(model, &force->on, force_point(force), u, &s);
     section_axes((const double(*)[3])s.slope, t, &n_length);
     for (int b = 0; b < 3; b++) {
-        local[b] = dot3(s.frame[b], force->value);
+        local[b] = dot3(s.frame[b], force->spec.value);
         for (int a = 0; a < 3; a++)
             F[a] += local[b] * t[b][a];
     }
@@ -308,15 +308,16 @@ static enum hobe_status differentiate(const struct hobe_force *force, const stru
 }
 
 /* F and, where there is K, its derivatives; NaN where the caller's functions fail. */
-static void subtract_called(const struct hobe_model *model, const struct hobe_force *force,
+static void subtract_called(const struct hobe_model *model, const struct force *load,
                             const double *u, const struct instant *instant, double factor,
                             double *r, const struct matrix *K)
 {
+    const struct hobe_force *force = &load->spec;
     struct station s;
     struct contact at;
     struct hobe_error err;
     double F[3], G[2][3][3], sum[3][3];
-    find_station(model, force->beam, force->at, force_point(force), u, &s);
+    find_station(model, &load->on, force_point(load), u, &s);
     const double length = s.body ? body_radius(s.body) : s.place.beam->length;
     find_contact(model, &s, u, instant, &at);
     enum hobe_status status = call(force, &at, F, &err);
@@ -337,19 +338,20 @@ static void subtract_called(const struct hobe_model *model, const struct hobe_fo
 }
 
 /* Any force but the constant dead ones: r -= factor Q. */
-static void subtract_force(const struct hobe_model *model, const struct hobe_force *force,
+static void subtract_force(const struct hobe_model *model, const struct force *force,
                            const double *u, const struct instant *instant, double factor, double *r,
                            const struct matrix *K)
 {
+    const struct hobe_force *spec = &force->spec;
     struct station s;
-    const double scaled = factor * drive_factor(model, force->history, instant->time, force->where);
-    if (force->function)
+    const double scaled = factor * drive_factor(model, spec->history, instant->time, spec->where);
+    if (spec->function)
         subtract_called(model, force, u, instant, scaled, r, K);
-    else if (force->follower)
+    else if (spec->follower)
         subtract_follower(model, force, u, scaled, r, K);
     else {
-        find_station(model, force->beam, force->at, force_point(force), u, &s);
-        add_force(model, &s, 0, force->value, -scaled, r);
+        find_station(model, &force->on, force_point(force), u, &s);
+        add_force(model, &s, 0, spec->value, -scaled, r);
     }
 }
 
@@ -418,10 +420,11 @@ enum hobe_status load_at(const struct hobe_model *model, const char *beam, doubl
                          const double F[3], const char *where, double *r, struct hobe_error *err)
 {
     const hobe_model *whole = model_whole(model);
+    const struct beam *on = model_find_beam(whole, beam, where, err);
     struct station s;
-    if (!model_find_beam(whole, beam, where, err))
+    if (!on)
         return HOBE_UNKNOWN;
-    find_station(whole, beam, at, NULL, NULL, &s);
+    find_on_beam(whole, model_place(on, at), NULL, &s);
     if (whole == model) {
         add_force(model, &s, 0, F, 1, r);
         return HOBE_OK;
@@ -436,20 +439,26 @@ enum hobe_status load_at(const struct hobe_model *model, const char *beam, doubl
 }
 
 /* What a load acts on: a body, or, not at a point, a beam. */
-static enum hobe_status check_part(const struct hobe_model *model, const char *name, int at_point,
-                                   const char *where, struct hobe_error *err)
+static enum hobe_status find_target(const struct hobe_model *model, const char *name, double at,
+                                    int at_point, const char *where, struct target *on,
+                                    struct hobe_error *err)
 {
     struct part part;
     if (model_find_part(model, name, where, &part, err))
         return HOBE_UNKNOWN;
-    return part.beam && at_point ? model_refuse_point(name, where, err) : HOBE_OK;
+    if (part.beam && at_point)
+        return model_refuse_point(name, where, err);
+    on->body = part.body;
+    if (part.beam)
+        on->place = model_place(part.beam, at);
+    return HOBE_OK;
 }
 
 const struct hobe_force *load_follower(const struct hobe_model *model)
 {
     model = model_whole(model);
     for (size_t i = 0; i < model->forces.count; i++) {
-        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        const struct hobe_force *force = &model_force(model, i)->spec;
         if (force->follower || force->function)
             return force;
     }
@@ -471,38 +480,49 @@ static int is_constant(const struct hobe_force *force)
     return !force->follower && !force->function && !force->history;
 }
 
-void load_touch(const struct hobe_model *model, int dead, unsigned char *touched)
+void load_touch(const struct hobe_model *model, int changing, unsigned char *touched)
 {
     struct station s;
     for (size_t i = 0; i < model->forces.count; i++) {
-        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (!dead && is_constant(force))
+        const struct force *force = model_force(model, i);
+        const struct hobe_force *spec = &force->spec;
+        if (changing && is_constant(spec))
             continue;
-        find_station(model, force->beam, force->at, force_point(force), NULL, &s);
-        touch(model, &s, 0, force->follower || force->function ? 2 : 0, touched);
+        find_station(model, &force->on, force_point(force), NULL, &s);
+        touch(model, &s, 0, spec->follower || spec->function ? 2 : 0, touched);
     }
     for (size_t i = 0; i < model->moments.count; i++) {
-        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
-        find_station(model, moment->beam, moment->at, NULL, NULL, &s);
+        find_station(model, &model_moment(model, i)->on, NULL, NULL, &s);
         touch(model, &s, 1, 2, touched);
     }
 }
 
-enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
+enum hobe_status load_find(struct hobe_model *model, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_OK;
     for (size_t i = 0; !status && i < model->forces.count; i++) {
-        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        struct station s;
-        status = check_part(model, force->beam, force->at_point, force->where, err);
-        if (status || !is_constant(force))
-            continue;
-        find_station(model, force->beam, force->at, force_point(force), NULL, &s);
-        add_force(model, &s, 0, force->value, 1, model->dead);
+        const struct hobe_force *spec = &model_force(model, i)->spec;
+        status = find_target(model, spec->beam, spec->at, spec->at_point, spec->where,
+                             &model_force(model, i)->on, err);
     }
     for (size_t i = 0; !status && i < model->moments.count; i++) {
-        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
-        status = check_part(model, moment->beam, moment->at_point, moment->where, err);
+        const struct hobe_moment *spec = &model_moment(model, i)->spec;
+        status = find_target(model, spec->beam, spec->at, spec->at_point, spec->where,
+                             &model_moment(model, i)->on, err);
+    }
+    return status;
+}
+
+enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err)
+{
+    enum hobe_status status = load_find(model, err);
+    for (size_t i = 0; !status && i < model->forces.count; i++) {
+        const struct force *force = model_force(model, i);
+        struct station s;
+        if (!is_constant(&force->spec))
+            continue;
+        find_station(model, &force->on, force_point(force), NULL, &s);
+        add_force(model, &s, 0, force->spec.value, 1, model->dead);
     }
     if (!status)
         status = build_gravity(model, err);
@@ -515,13 +535,12 @@ static void subtract_placed(const struct hobe_model *model, const double *u,
                             const struct matrix *K)
 {
     for (size_t i = 0; i < model->forces.count; i++) {
-        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (!is_constant(force))
+        const struct force *force = model_force(model, i);
+        if (!is_constant(&force->spec))
             subtract_force(model, force, u, instant, factor, r, K);
     }
     for (size_t i = 0; i < model->moments.count; i++)
-        subtract_moment(model, (const struct hobe_moment *)model->moments.item + i, u, instant,
-                        factor, r, K);
+        subtract_moment(model, model_moment(model, i), u, instant, factor, r, K);
 }
 
 void load_subtract(const struct hobe_model *model, const double *u, const struct instant *instant,
@@ -573,13 +592,14 @@ static void angle_series(int k, const double e[3], const taylor3 slope, double m
         F[a] += quotient[k][a];
 }
 
-static void add_moment_series(const struct hobe_model *model, const struct hobe_moment *moment,
+static void add_moment_series(const struct hobe_model *model, const struct moment *load,
                               const double *const *u, double time, int known, int k, double *Q)
 {
+    const struct hobe_moment *moment = &load->spec;
     const double factor = drive_factor(model, moment->history, time, moment->where);
     struct station s;
     taylor3 slope[2];
-    find_station(model, moment->beam, moment->at, NULL, u[0], &s);
+    find_station(model, &load->on, NULL, u[0], &s);
     find_slopes(model, &s, u, known, slope);
     for (int m = 0; m < 2; m++) {
         double F[3] = {0};
@@ -590,15 +610,16 @@ static void add_moment_series(const struct hobe_model *model, const struct hobe_
 }
 
 /* The axes of section_axes, and of them the force. */
-static void add_follower_series(const struct hobe_model *model, const struct hobe_force *force,
+static void add_follower_series(const struct hobe_model *model, const struct force *load,
                                 const double *const *u, double time, int known, int k, double *Q)
 {
+    const struct hobe_force *force = &load->spec;
     const double factor = drive_factor(model, force->history, time, force->where);
     struct station s;
     taylor3 slope[2], n = {{0}}, t[3] = {{{0}}};
     taylor size;
     double F[3] = {0};
-    find_station(model, force->beam, force->at, force_point(force), u[0], &s);
+    find_station(model, &load->on, force_point(load), u[0], &s);
     find_slopes(model, &s, u, known, slope);
     taylor_cross(k, slope[0], slope[1], n);
     taylor_length(k, n, size);
@@ -621,22 +642,15 @@ void load_series(const struct hobe_model *model, const double *const *u,
         return;
     }
     for (size_t i = 0; i < model->forces.count; i++) {
-        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (force->follower)
+        const struct force *force = model_force(model, i);
+        if (force->spec.follower)
             add_follower_series(model, force, u, instant->time, known, k, Q);
     }
     for (size_t i = 0; i < model->moments.count; i++)
-        add_moment_series(model, (const struct hobe_moment *)model->moments.item + i, u,
-                          instant->time, known, k, Q);
+        add_moment_series(model, model_moment(model, i), u, instant->time, known, k, Q);
 }
 
 /* ---- inside an element ----------------------------------------------------------------------- */
-
-/* Whether a load acts inside an element, between its ends. */
-static int is_inside(const char *name, double at, const struct beam *beam, int e)
-{
-    return !strcmp(name, beam->name) && place_inside(model_place(beam, at), beam, e);
-}
 
 void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
                  double factor, const struct beam *beam, int e, double *f)
@@ -648,18 +662,18 @@ void load_inside(const struct hobe_model *model, const double *u, const struct i
     add_weight(model, beam, e, g, factor, f);
     for (size_t i = 0; i < model->masses.count; i++) {
         const struct point_mass *mass = model_mass(model, i);
-        if (is_inside(mass->spec.beam, mass->spec.at, beam, e))
+        if (place_inside(mass->place, beam, e))
             point_mass_force(model, mass, factor, g, f);
     }
     spin_inside(model, u, instant, factor, beam, e, f);
     for (size_t i = 0; i < model->forces.count; i++) {
-        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
-        if (is_inside(force->beam, force->at, beam, e))
+        const struct force *force = model_force(model, i);
+        if (place_inside(force->on.place, beam, e))
             subtract_force(model, force, u, instant, -factor, f, NULL);
     }
     for (size_t i = 0; i < model->moments.count; i++) {
-        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
-        if (is_inside(moment->beam, moment->at, beam, e))
+        const struct moment *moment = model_moment(model, i);
+        if (place_inside(moment->on.place, beam, e))
             subtract_moment(model, moment, u, instant, -factor, f, NULL);
     }
 }

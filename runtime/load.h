@@ -5,7 +5,35 @@
 
 #include "model.h"
 
-/* Resolves the loads' beams and sums what does not depend on the state into model->dead. */
+/* What a force or moment acts on: a body or, NULL, a place of a beam; whose beam is NULL otherwise.
+ */
+struct target {
+    const struct body *body;
+    struct place place;
+};
+struct force {
+    struct hobe_force spec;
+    struct target on; /* as load_find finds it, also of moments */
+};
+struct moment {
+    struct hobe_moment spec;
+    struct target on;
+};
+
+static inline struct force *model_force(const struct hobe_model *model, size_t i)
+{
+    return (struct force *)model->forces.item + i;
+}
+
+static inline struct moment *model_moment(const struct hobe_model *model, size_t i)
+{
+    return (struct moment *)model->moments.item + i;
+}
+
+/* Finds what forces and moments act on, in this model. */
+enum hobe_status load_find(struct hobe_model *model, struct hobe_error *err);
+
+/* The same, and sums what does not depend on the state into model->dead. */
 enum hobe_status load_build(struct hobe_model *model, struct hobe_error *err);
 
 /* r -= factor * Q, and K -= factor * (dQ/du + rate dQ/dv) when K is not NULL: Q the forces of all
@@ -26,9 +54,11 @@ void load_series(const struct hobe_model *model, const double *const *u,
 void load_inside(const struct hobe_model *model, const double *u, const struct instant *instant,
                  double factor, const struct beam *beam, int e, double *f);
 
-/* Marks the vectors whose forces or stiffness of loads depend on the state or on time, where `dead`
- * also those of forces that do not, but for weights and spins: touched[vectors]. */
-void load_touch(const struct hobe_model *model, int dead, unsigned char *touched);
+/* touched[vectors] = 1 at the vectors that forces and moments at places act on; of those alone
+ * whose force or stiffness changes with the state or in time where `changing`.  Not of weights and
+ * spins.
+ */
+void load_touch(const struct hobe_model *model, int changing, unsigned char *touched);
 
 /* Adds the force F, N, at a place of a beam to the forces on the vectors, r[vectors][3].
  * HOBE_UNKNOWN with `where` for a beam that is not there. */

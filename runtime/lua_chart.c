@@ -8,6 +8,10 @@
 
 /* ---- parts of a chart ----------------------------------------------------------------------- */
 
+struct chart {
+    double doubt;
+};
+
 static const struct hobe_lua_key chart_keys[] = {
     KEY_OF_LIST("quantities", .doc = "names of report values whose errors count; those of `truth`, "
                                      "else all that have `expect`, else all"),
@@ -16,6 +20,8 @@ static const struct hobe_lua_key chart_keys[] = {
                        "experiment, at the parameters that the case has now.  The truth of others "
                        "is their `expect` where parameters beyond the ladder's are at their "
                        "defaults, else a converged run"),
+    KEY(struct chart, doubt, KEY_NUMBER, KEY_FROM(0),
+        .doc = "uncertainty of the truth, relative: errors below it count alike"),
     KEY_OF_LIST("ladder",
                 .doc = "a list of tables `{parameter = {value, value, ...}, ...}`: each is a group "
                        "of models, all combinations of these values of parameters of the case.  "
@@ -113,13 +119,13 @@ static int push_table(lua_State *L, const char *name)
     return lua_istable(L, -1) ? lua_gettop(L) : 0;
 }
 
-/* hobe.chart{quantities =, truth =, ladder =, reference =} */
+/* hobe.chart{quantities =, truth =, doubt =, ladder =, reference =} */
 static int chart(lua_State *L)
 {
     struct hobe_text *text = &hobe_lua_context(L)->chart;
-    char nothing;
+    struct chart read;
     lua_settop(L, 1);
-    hobe_lua_read(L, 1, &chart_schema, &nothing);
+    hobe_lua_read(L, 1, &chart_schema, &read);
     hobe_text_free(text); /* the last one counts */
     const int truth = push_table(L, "truth");
     int list = push_table(L, "quantities");
@@ -129,6 +135,7 @@ static int chart(lua_State *L)
     }
     if (list)
         add_quantities(L, text, list, truth);
+    hobe_text_add(text, "doubt\t%a\n", read.doubt);
     const int reference = push_table(L, "reference");
     if (reference)
         add_parameters(L, text, reference, "reference");
@@ -144,11 +151,14 @@ static int chart(lua_State *L)
         lua_settop(L, ladder);
     }
     hobe_lua_check_text(L, text);
-    return 0;
+    if (!hobe_lua_context(L)->ask)
+        return 0;
+    lua_pushlightuserdata(L, hobe_lua_context(L));
+    return lua_error(L);
 }
 
 const struct hobe_lua_entry hobe_lua_chart_entries[] = {
-    {"chart", chart, "hobe.chart{quantities =, truth =, ladder =, reference =}",
+    {"chart", chart, "hobe.chart{quantities =, truth =, doubt =, ladder =, reference =}",
      "What `hobe chart CASE` makes of the case: a ladder of models, each a run of the case with "
      "other parameters (`hobe.param`), its errors in values of the report, and its cost.  `hobe "
      "run` takes no notice.  A case without it has the ladder of its `element` and `elements`.",
@@ -185,6 +195,7 @@ void hobe_lua_add_record(lua_State *L, struct hobe_text *text, const struct hobe
     const struct hobe_lua *context = hobe_lua_context(L);
     hobe_text_add(text, "cost\t%a\t%a\t%ld\n", context->cost.setup, context->cost.solve,
                   context->cost.unknowns);
+    hobe_text_add(text, "iterations\t%ld\n", context->cost.factorisations);
     for (size_t i = 0; i < count; i++)
         hobe_text_add(text, "value\t%s\t%s\t%a\t%a\n", value[i].name,
                       value[i].unit ? value[i].unit : "", value[i].value,

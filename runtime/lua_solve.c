@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Solver verbs and their results. */
 #define _GNU_SOURCE
+#include "advise.h"
 #include "lua_item.h"
 
 #include <math.h>
@@ -105,7 +106,8 @@ static const struct hobe_lua_field fields[] = {
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
     SOLVED("indicator", solution.indicator, 'd', NULL,
-           "of a reduced model: what the displacements may lack of those of the whole scene, "
+           "of a reduced model and of a projection: what the displacements may lack of those of "
+           "the whole scene, "
            "relative to their size; 0 of whole ones; not a number where it was not asked"),
     SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
@@ -561,6 +563,13 @@ hobe_solution **hobe_lua_new_result(lua_State *L, int scene)
     return &result->solution;
 }
 
+void hobe_lua_check_linear(lua_State *L, const char *verb)
+{
+    const struct advise_model *model = hobe_lua_context(L)->model;
+    if (model && model->linear && strcmp(verb, "static"))
+        hobe_lua_fail(L, "%s: a linear model is one of hobe.static alone", verb);
+}
+
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
                                           void *options, size_t size)
 {
@@ -574,6 +583,7 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
     }
     memset(options, 0, size);
     hobe_lua_read(L, 2, schema, options);
+    hobe_lua_check_linear(L, schema->name);
     return scene;
 }
 
@@ -650,8 +660,10 @@ static int solve_static(lua_State *L)
     struct hobe_lua_scene *scene = hobe_lua_read_verb(L, &static_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
+    const struct advise_model *model = hobe_lua_context(L)->model;
     options.newton.no_line_search = !options.line_search;
     options.newton.projection = hobe_lua_finish_projection(L, &static_schema, &options.projection);
+    options.newton.linear |= model && model->linear;
     hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
@@ -663,7 +675,7 @@ static int solve_static(lua_State *L)
     if (status)
         hobe_lua_raise(L, &err);
     const struct hobe_solution_info info = info_of(*solution);
-    hobe_lua_context(L)->factorisations += info.factorisations;
+    hobe_lua_context(L)->cost.factorisations += info.factorisations;
     hobe_lua_context(L)->cost.solve += info.seconds;
     note_change(L, info.change);
     hobe_lua_note_reduced(L, info.indicator);
@@ -769,6 +781,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     const hobe_solution *last = NULL;
     hobe_path_info(path, &info);
     hobe_lua_context(L)->cost.solve += info.seconds;
+    hobe_lua_context(L)->cost.factorisations += info.factorisations;
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);

@@ -7,6 +7,7 @@
 #include "main.h"
 
 #include "element.h"
+#include "points.h"
 
 #include <lualib.h>
 #include <math.h>
@@ -26,6 +27,9 @@ static const char usage[] =
     "      --time-limit S               processor time that the script may spend in Lua (10)\n"
     "      --memory-limit MB            memory that the script may use in Lua (512)\n"
     "      --trust                      no sandbox, no limits: for scripts of your own\n"
+    "      --model=ELEMENT:ELEMENTS     the same element and mesh for all scenes (and :linear)\n"
+    "  hobe advise CASE [name=value ...] the cheapest model that holds an accuracy\n"
+    "      --accuracy A                 largest relative error of a value of the report (1e-3)\n"
     "  hobe chart CASE [name=value,...] run a ladder of models of a case: error against time\n"
     "      --quick                      fewer meshes, three rounds\n"
     "      --limit S                    processor time of a run (60)\n"
@@ -94,8 +98,11 @@ static void set_context(lua_State *L, const struct run *run)
     context->script = run->script;
     context->trusted = run->trust;
     context->resume = run->resume;
+    context->ask = run->ask;
     context->log = run->log;
     context->progress = isatty(STDERR_FILENO);
+    context->model = run->model;
+    context->overridden = run->model != NULL;
     hobe_lua_push_store(L, HOBE_LUA_OVERRIDES);
     for (int i = 0; i < run->overrides; i++) {
         const char *equals = strchr(run->override[i], '=');
@@ -125,15 +132,37 @@ static int run_protected(lua_State *L)
             lua_pushfstring(L, "%s: this is compiled Lua; a case must be source", run->script);
         return lua_error(L);
     }
-    lua_call(L, 0, 0);
+    if (lua_pcall(L, 0, 0, 0) && lua_touserdata(L, -1) != hobe_lua_context(L))
+        return lua_error(L);
     hobe_lua_check_memory();
     hobe_lua_pause_clock(); /* for good: the rest is not the script's */
-    hobe_lua_check_overrides(L);
+    if (!run->ask)          /* else not all parameters may have been reached */
+        hobe_lua_check_overrides(L);
     return hobe_lua_finish(L, run->format, run->to);
+}
+
+/* Takes the last word "--model=..." out of the overrides, as its model. */
+static enum hobe_status read_model(struct run *run, struct advise_model *model,
+                                   struct hobe_error *err)
+{
+    static const char option[] = "--model=";
+    enum hobe_status status = HOBE_OK;
+    int kept = 0;
+    for (int i = 0; i < run->overrides; i++)
+        if (strncmp(run->override[i], option, strlen(option)))
+            run->override[kept++] = run->override[i];
+        else if (!(status = advise_read_model(run->override[i] + strlen(option), model, err)))
+            run->model = model;
+    run->overrides = kept;
+    return status;
 }
 
 int run_script(struct run *run)
 {
+    struct hobe_error err;
+    struct advise_model model;
+    if (read_model(run, &model, &err))
+        return complain(err.message, 1);
     lua_State *L = hobe_lua_new_state(run->script, (size_t)(run->megabytes * 1048576));
     if (!L)
         return complain("out of memory", 1);
@@ -249,6 +278,8 @@ static int read_argument(struct run *run, char **argv, int *i)
         run->trust = 1;
     else if (!strcmp(argv[*i], "--resume"))
         run->resume = 1;
+    else if (!strncmp(argv[*i], "--model=", 8))
+        return read_override(run, argv[*i]);
     else if (*argv[*i] == '-')
         return complain_usage("unknown option or missing value: %.100s (see hobe help)", argv[*i]);
     else if (strchr(argv[*i], '='))
@@ -291,30 +322,49 @@ static void join_modes(struct hobe_text *text, const struct hobe_kernel *kernel)
         hobe_text_add(text, k > 0 ? " %s" : "%s", kernel->mode[k]);
 }
 
-/* The two ways to force and tangent, what they cost, and where each is taken. */
+/* One plan's flops, and for which task it is taken. */
+static void explain_cost(struct hobe_text *text, const char *plan,
+                         const struct hobe_plan_cost *cost, const int taken[2])
+{
+    hobe_text_add(text, "%s %ld%s, %ld%s", plan, cost->flops_force, taken[0] ? " (taken)" : "",
+                  cost->flops_tangent, taken[1] ? " (taken)" : "");
+}
+
 /* What each plan costs on a straight beam and on one that is curved or tapered, by the symmetry
  * that the section keeps; the tensor is for straight ones. */
-static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
+static void explain_symmetry(struct hobe_text *text, const struct hobe_kernel *k, int s)
 {
     static const char *const section[] = {"any section", "symmetric in y", "symmetric in z",
                                           "symmetric in y and z"};
+    const int straight = s & HOBE_SYMMETRIC_X;
+    int tensor[2], stations[2];
+    for (int t = 0; t < 2; t++)
+        stations[t] = !(tensor[t] = hobe_tensor_pays(k, s, t));
+    hobe_text_add(text, "  %s, %s: ", straight ? "straight" : "varying", section[s / 2]);
+    explain_cost(text, "section", k->section_cost + s, stations);
+    if (straight) {
+        explain_cost(text, "; tensor", k->tensor_cost + s, tensor);
+        hobe_text_add(text, " at %.3g, %.3g times the speed", hobe_tensor_speed(k, s, 0),
+                      hobe_tensor_speed(k, s, 1));
+    }
+    hobe_text_add(text, "\n");
+}
+
+static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
+{
     if (!k->section) {
         hobe_text_add(text, "flops of force, and of force and tangent: %ld, %ld\n", k->flops_force,
                       k->flops_tangent);
         return;
     }
-    hobe_text_add(text, "flops of force, and of force and tangent, by two plans:\n");
-    for (int s = HOBE_SYMMETRIES - 1; s >= 0; s--) {
-        const struct hobe_plan_cost *by_station = k->section_cost + s, *whole = k->tensor_cost + s;
-        const int straight = s & HOBE_SYMMETRIC_X, pays = hobe_tensor_pays(k, s);
-        hobe_text_add(text, "  %s, %s: section %ld, %ld%s", straight ? "straight" : "varying",
-                      section[s / 2], by_station->flops_force, by_station->flops_tangent,
-                      pays ? "" : " (taken)");
-        if (straight)
-            hobe_text_add(text, "; tensor %ld, %ld%s", whole->flops_force, whole->flops_tangent,
-                          pays ? " (taken: faster)" : "");
-        hobe_text_add(text, "\n");
-    }
+    const int points = points_of_rectangle(k);
+    hobe_text_add(text, "flops of force, and of force and tangent, by each plan; taken is what has "
+                        "least for its speed:\n");
+    hobe_text_add(text,
+                  "  by %d points, which polynomials on a rectangle need, to compare: %.0f, %.0f\n",
+                  points, points_flops(k->vectors, points, 0), points_flops(k->vectors, points, 1));
+    for (int s = HOBE_SYMMETRIES - 1; s >= 0; s--)
+        explain_symmetry(text, k, s);
 }
 
 static int explain_element(const char *name)
@@ -406,6 +456,8 @@ int main(int argc, char **argv)
         return command_run(argc, argv);
     if (!strcmp(command, "elements"))
         return command_elements(argc, argv);
+    if (!strcmp(command, "advise"))
+        return command_advise(argc, argv);
     if (!strcmp(command, "chart"))
         return command_chart(argc, argv);
     if (!strcmp(command, "bench"))

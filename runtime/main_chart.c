@@ -52,13 +52,15 @@ static char **list_words(char *text, int *words)
 
 /* The child: runs the model and ends.  Its record goes to the file `record`, all else to `words`.
  */
-static _Noreturn void run_child(const struct chart *chart, const char *model, int record, int words)
+static _Noreturn void run_child(const struct chart *chart, const char *model, int ask, int record,
+                                int words)
 {
     const rlim_t seconds = (rlim_t)ceil(chart->limit);
     const double before = memory();
     char *copy = ladder_copy(model, NULL);
     struct run run = {.script = chart->script,
                       .format = HOBE_LUA_RECORD,
+                      .ask = ask,
                       .seconds = RUN_SECONDS,
                       .megabytes = RUN_MEGABYTES,
                       .to = fdopen(record, "w")};
@@ -106,16 +108,16 @@ static void keep_sentence(const struct chart *chart, int how, struct hobe_text *
 }
 
 /* Runs the child to its end and reads what it wrote. */
-static enum hobe_status run_process(const struct chart *chart, const char *model, const int *file,
-                                    struct ladder_record *record, struct hobe_text *why,
-                                    struct hobe_error *err)
+static enum hobe_status run_process(const struct chart *chart, const char *model, int ask,
+                                    const int *file, struct ladder_record *record,
+                                    struct hobe_text *why, struct hobe_error *err)
 {
     struct hobe_text words = {0}, said = {0};
     int how = 0;
     fflush(NULL);
     const pid_t child = fork();
     if (child == 0)
-        run_child(chart, model, file[0], file[1]);
+        run_child(chart, model, ask, file[0], file[1]);
     if (child < 0)
         return hobe_fail(err, HOBE_IO, NULL, "no process for a run: %s", strerror(errno));
     while (waitpid(child, &how, 0) < 0 && errno == EINTR)
@@ -131,8 +133,9 @@ static enum hobe_status run_process(const struct chart *chart, const char *model
 }
 
 /* A run for the ladder (ladder_run). */
-static enum hobe_status run_model(void *context, const char *model, struct ladder_record *record,
-                                  struct hobe_text *why, double *seconds, struct hobe_error *err)
+static enum hobe_status run_model(void *context, const char *model, int ask,
+                                  struct ladder_record *record, struct hobe_text *why,
+                                  double *seconds, struct hobe_error *err)
 {
     const double start = hobe_seconds();
     const int file[2] = {memfd_create("record", MFD_CLOEXEC), memfd_create("words", MFD_CLOEXEC)};
@@ -140,12 +143,20 @@ static enum hobe_status run_model(void *context, const char *model, struct ladde
     if (file[0] < 0 || file[1] < 0)
         status = hobe_fail(err, HOBE_IO, NULL, "no file for a run: %s", strerror(errno));
     else
-        status = run_process(context, model, file, record, why, err);
+        status = run_process(context, model, ask, file, record, why, err);
     for (int i = 0; i < 2; i++)
         if (file[i] >= 0)
             close(file[i]);
     *seconds = hobe_seconds() - start;
     return status;
+}
+
+enum hobe_status run_apart(const char *script, const char *words, struct ladder_record *record,
+                           struct hobe_text *why, struct hobe_error *err)
+{
+    struct chart chart = {.script = script, .limit = LIMIT};
+    double seconds;
+    return run_model(&chart, words, 0, record, why, &seconds, err);
 }
 
 /* ---- what is said --------------------------------------------------------------------------- */

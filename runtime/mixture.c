@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mixture.h"
 
+#include "load.h"
+
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -39,23 +41,15 @@ static enum hobe_status add(struct mixture *mixture, const hobe_model *from, dou
     for (long i = 0; i < 3 * to->vectors; i++)
         mixture->dead[i] += weight * from->dead[i];
     add_spin(to, from, weight);
-    enum hobe_status status = add_items(&to->forces, &from->forces, sizeof(struct hobe_force),
-                                        offsetof(struct hobe_force, value), weight, err);
+    enum hobe_status status = add_items(&to->forces, &from->forces, sizeof(struct force),
+                                        offsetof(struct force, spec.value), weight, err);
     if (!status)
-        status = add_items(&to->moments, &from->moments, sizeof(struct hobe_moment),
-                           offsetof(struct hobe_moment, value), weight, err);
+        status = add_items(&to->moments, &from->moments, sizeof(struct moment),
+                           offsetof(struct moment, spec.value), weight, err);
     if (!status)
         status = add_items(&to->gravities, &from->gravities, sizeof(struct gravity),
                            offsetof(struct gravity, g), weight, err);
     return status;
-}
-
-int mixture_fits(const hobe_model *a, const hobe_model *b)
-{
-    const size_t size = (size_t)a->vectors * sizeof *a->unknown;
-    return a->vectors == b->vectors && a->beam_vectors == b->beam_vectors &&
-           a->unknowns == b->unknowns && !memcmp(a->alias, b->alias, size) &&
-           !memcmp(a->unknown, b->unknown, size);
 }
 
 enum hobe_status mixture_open(struct mixture *mixture, int count, hobe_model *const *models,
@@ -72,7 +66,7 @@ enum hobe_status mixture_open(struct mixture *mixture, int count, hobe_model *co
     for (int i = 0; !status && i < count; i++)
         if (weight[i] != 0)
             status = add(mixture, models[i], weight[i], err);
-    return status;
+    return status ? status : load_find(model, err);
 }
 
 void mixture_close(struct mixture *mixture)

@@ -86,8 +86,8 @@ void hobe_model_free(hobe_model *model)
     free_named(&model->masses, sizeof(struct point_mass), offsetof(struct point_mass, spec.beam),
                1);
     free_named(&model->clamps, sizeof(struct hobe_clamp), offsetof(struct hobe_clamp, beam), 2);
-    free_named(&model->forces, sizeof(struct hobe_force), offsetof(struct hobe_force, beam), 1);
-    free_named(&model->moments, sizeof(struct hobe_moment), offsetof(struct hobe_moment, beam), 1);
+    free_named(&model->forces, sizeof(struct force), offsetof(struct force, spec.beam), 1);
+    free_named(&model->moments, sizeof(struct moment), offsetof(struct moment, spec.beam), 1);
     free_named(&model->motions, sizeof(struct hobe_motion), offsetof(struct hobe_motion, beam), 1);
     free_named(&model->joins, sizeof(struct hobe_join), offsetof(struct hobe_join, beam), 2);
     free_named(&model->joints, sizeof(struct hobe_joint), offsetof(struct hobe_joint, beam), 3);
@@ -320,7 +320,8 @@ enum hobe_status hobe_model_force(hobe_model *model, const struct hobe_force *sp
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where,
                          "a force that is a function gives its global axes itself; leave out "
                          "follower and any other value");
-    return add_item(&model->forces, spec, sizeof *spec, offsetof(struct hobe_force, beam), 1, err);
+    return add_item(&model->forces, &(struct force){.spec = *spec}, sizeof(struct force),
+                    offsetof(struct force, spec.beam), 1, err);
 }
 
 enum hobe_status hobe_model_moment(hobe_model *model, const struct hobe_moment *spec,
@@ -330,8 +331,8 @@ enum hobe_status hobe_model_moment(hobe_model *model, const struct hobe_moment *
         return HOBE_BAD_INPUT;
     if (not_finite(spec->value, 3))
         return hobe_fail(err, HOBE_BAD_INPUT, spec->where, "a moment must be finite (N m)");
-    return add_item(&model->moments, spec, sizeof *spec, offsetof(struct hobe_moment, beam), 1,
-                    err);
+    return add_item(&model->moments, &(struct moment){.spec = *spec}, sizeof(struct moment),
+                    offsetof(struct moment, spec.beam), 1, err);
 }
 
 enum hobe_status hobe_model_join(hobe_model *model, const struct hobe_join *spec,

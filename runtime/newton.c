@@ -576,7 +576,9 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
     s->info.projected = s->space.count;
     s->info.outside = s->space.count > 0 ? whole_norm(s, s->r, 1) / s->load_norm : 0;
     hobe_solution *taken = solution_new(s->model, s->u, NULL, NULL, &s->info, err);
-    if (taken && s->model->reduction && trust_ask(s->model->reduction->whole, taken, err)) {
+    const int few = s->model->reduction || s->space.count > 0;
+    double size = 0;
+    if (taken && few && trust_ask((hobe_model *)model_whole(s->model), taken, &size, err)) {
         hobe_solution_free(taken);
         return NULL;
     }

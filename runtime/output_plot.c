@@ -119,8 +119,11 @@ static void add_logarithm(struct hobe_text *text, char axis, const double extent
 {
     const int first = (int)floor(extent_of[0]), last = (int)ceil(extent_of[1]);
     hobe_text_add(text, "set logscale %c\n", axis);
-    if (last - first > 2)
+    if (last - first > 2) {
+        if (last - first > 5) /* decimals would be all noughts */
+            hobe_text_add(text, "set format %c '%%g'\n", axis);
         return;
+    }
     hobe_text_add(text, "set %ctics (", axis);
     for (int k = first; k <= last; k++)
         hobe_text_add(text, "%s1e%d, 2e%d, 5e%d", k > first ? ", " : "", k, k, k);

@@ -14,7 +14,7 @@ enum hobe_status pattern_columns(struct hobe_model *model, struct hobe_error *er
 
 /* touched[vectors] = 1 at those that items act on: loads (load_touch), joints, springs, bodies; and
  * at multipliers. */
-void pattern_mark(const struct hobe_model *model, int dead, unsigned char *touched);
+void pattern_mark(const struct hobe_model *model, int changing, unsigned char *touched);
 
 /* Finds the vectors that are touched, but by dead forces, and lays tangents of these out as well,
  * unless that is done.

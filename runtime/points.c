@@ -13,10 +13,16 @@ points_function *points_evaluate(void)
     return of[machine_in_use()];
 }
 
-double points_flops(const struct points *p, int tangent)
+double points_flops(int vectors, int points, int tangent)
 {
-    const double V = p->vectors, force = 36 * V + 129;
-    return p->first[p->stations] * (tangent ? force + 105 * V + 61 * V * (V + 1) : force);
+    const double V = vectors, force = 36 * V + 129;
+    return points * (tangent ? force + 105 * V + 61 * V * (V + 1) : force);
+}
+
+int points_of_rectangle(const struct hobe_kernel *kernel)
+{
+    const int n = 2 * kernel->degree + 1;
+    return kernel->stations * n * n;
 }
 
 /* ---- rules ---------------------------------------------------------------------------------- */

@@ -45,8 +45,10 @@ enum { POINTS_SCRATCH = 93 };
 /* The one compiled for the processor that the kernels in use are for. */
 points_function *points_evaluate(void);
 
-/* Flops of a call for each element, from positions and without a law of the mean strain, counted in
- * the source. */
-double points_flops(const struct points *p, int tangent);
+/* Flops of a call for each element by so many points, from positions and without a law of the mean
+ * strain, counted in the source; and the Gauss points of the textbook, as many as the polynomials
+ * among the element's modes ask for, on a rectangle: functions of a section want more. */
+double points_flops(int vectors, int points, int tangent);
+int points_of_rectangle(const struct hobe_kernel *kernel);
 
 #endif

@@ -17,10 +17,9 @@ static long size_of(const struct series *series)
 
 static const struct hobe_force *find_function(const struct hobe_model *model)
 {
-    const struct hobe_force *force = model->forces.item;
     for (size_t i = 0; i < model->forces.count; i++)
-        if (force[i].function)
-            return force + i;
+        if (model_force(model, i)->spec.function)
+            return &model_force(model, i)->spec;
     return NULL;
 }
 

@@ -197,7 +197,7 @@ static long count_principal(long m, const double *nu, long most, double share)
     for (long i = 0; i < m; i++)
         sum += nu[i];
     while (kept > 0 && left + nu[m - kept] <= share * share * sum)
-        left += nu[m - kept--];
+        left += fmax(0, nu[m - kept--]); /* rounding makes some negative */
     return kept < most ? kept : most;
 }
 

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reduced models against the whole ones.  With all unknowns in the basis both are the same,
  * whatever acts on them: at rest, vibrating, and in motion. */
+#include "assemble.h"
 #include "check.h"
-#include "model.h"
+#include "modes.h"
+#include "reduction.h"
 #include "scene.h"
 #include "solution.h"
 #include "vector3.h"
@@ -313,6 +315,197 @@ static void spins(const hobe_section *section)
     hobe_model_free(whole);
 }
 
+/* ---- bases of few fields --------------------------------------------------------------------- */
+
+/* Vibration modes in the basis are modes of the reduced model, with the same frequencies; `given`:
+ * as fields, or by the method that takes them first. */
+static void retains_modes(const hobe_section *section, int given)
+{
+    enum { MODES = 2 };
+    struct hobe_beam beam = soft_beam(section, 2);
+    hobe_model *whole = cantilever(&beam, 0);
+    hobe_modes *a = modes_of(whole, NULL, MODES, HOBE_MODAL_AUTO);
+    const struct hobe_reduce options = {.method = given ? HOBE_REDUCE_FIELDS : HOBE_REDUCE_MODES,
+                                        .modes = given ? 0 : 4 * MODES,
+                                        .field = a->shape,
+                                        .fields = MODES};
+    hobe_reduced *reduced = reduce(whole, &options);
+    hobe_model *small = small_of(reduced, whole);
+    hobe_modes *b = modes_of(small, NULL, MODES, HOBE_MODAL_AUTO);
+    for (int i = 0; i < MODES; i++)
+        check_relative(mode_of(b, i).omega, mode_of(a, i).omega, SAME, "mode %d%s", i,
+                       given ? ", given" : "");
+    hobe_modes_free(a);
+    hobe_modes_free(b);
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_model_free(whole);
+}
+
+static struct hobe_reaction reaction_of(const hobe_solution *state, const char *name)
+{
+    struct hobe_error err;
+    struct hobe_reaction reaction;
+    expect_ok(hobe_solution_reaction(state, name, &reaction, &err), &err);
+    return reaction;
+}
+
+/* Fields found under a support keep it by themselves: its reaction is there all the same.  Within
+ * what the basis leaves out, 1e-6 of displacements and 1e-4 of forces. */
+static void keeps_supports(const hobe_section *section)
+{
+    struct hobe_beam beam = soft_beam(section, 3);
+    hobe_model *whole = new_model();
+    add_beam(whole, &beam);
+    add_body(whole, &(struct hobe_body){.name = "body",
+                                        .mass = 0.5,
+                                        .shape = HOBE_SHAPE_SPHERE,
+                                        .size = {0.1},
+                                        .centre = {1, 0, 0}});
+    add_joint(whole,
+              &(struct hobe_joint){.beam = {"beam"}, .name = "wall", .kind = HOBE_JOINT_RIGID});
+    add_joint(whole,
+              &(struct hobe_joint){.beam = {"beam", "body"}, .at = {1}, .kind = HOBE_JOINT_FIXED});
+    add_force(whole, "beam", 1, random_real(-5, 5), random_real(-5, 5), random_real(-5, 5));
+    add_moment(whole, "beam", 1, 2, random_real(-3, 3), random_real(-3, 3));
+    add_gravity(whole, NULL);
+    hobe_reduced *reduced = reduce(whole, &(struct hobe_reduce){.modes = 12});
+    hobe_model *small = small_of(reduced, whole);
+    hobe_solution *a = rest(whole), *b = rest(small);
+    same = 1e-6;
+    same_field(whole, a->u, b->u, "support");
+    const struct hobe_reaction x = reaction_of(a, "wall"), y = reaction_of(b, "wall");
+    check_absolute(distance(x.force, y.force), 0, 1e-4 * norm(x.force), "reaction");
+    check_absolute(distance(x.moment, y.moment), 0, 1e-4 * norm(x.moment), "moment");
+    hobe_solution_free(a);
+    hobe_solution_free(b);
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_model_free(whole);
+}
+
+/* u = (R - 1) q, R the turn by an angle about a random axis. */
+static void turn(const hobe_model *model, const double *q, double angle, double *u)
+{
+    double axis[3];
+    random_direction(axis);
+    for (long v = 0; v < model->vectors; v++) {
+        double across[3], back[3];
+        cross3(axis, q + 3 * v, across);
+        cross3(axis, across, back);
+        for (int a = 0; a < 3; a++)
+            u[3 * v + a] = sin(angle) * across[a] + (1 - cos(angle)) * back[a];
+    }
+}
+
+/* The largest of the elastic forces in `share` of the way from the reference to a state. */
+static double largest_force(const hobe_model *model, const double *x, double share)
+{
+    const size_t n = (size_t)(3 * model->vectors);
+    double *part = calloc(2 * n, sizeof *part), largest = 0;
+    for (size_t i = 0; i < n; i++)
+        part[i] = share * x[i];
+    assemble(model, part, part + n, NULL);
+    for (size_t i = 0; i < n; i++)
+        largest = fmax(largest, fabs(part[n + i]));
+    free(part);
+    return largest;
+}
+
+/* A beam that floats, in the smallest basis closed under rotations: turned as a whole it feels no
+ * force, and flying it keeps its momenta. */
+static void turns(const hobe_section *section)
+{
+    struct hobe_error err;
+    struct hobe_beam beam = soft_beam(section, 2);
+    struct hobe_motion motion = {.velocity = {1, -2, 3}, .about = {0.4, 0.1, 0}};
+    hobe_model *whole = new_model();
+    add_beam(whole, &beam);
+    random_direction(motion.angular_velocity);
+    expect_ok(hobe_model_motion(whole, &motion, &err), &err);
+    expect_ok(hobe_model_build(whole, &err), &err);
+    const size_t size = (size_t)(3 * whole->vectors);
+    double *q = calloc(2 * size, sizeof *q), *u = q + size, left;
+    model_reference(whole, q);
+    hobe_reduced *reduced = reduce(
+        whole,
+        &(struct hobe_reduce){.method = HOBE_REDUCE_FIELDS, .field = q, .fields = 1, .closed = 3});
+    hobe_model *small = small_of(reduced, whole);
+    double *x = calloc((size_t)(3 * small->vectors), sizeof *x);
+    turn(whole, q, 2, u);
+    expect_ok(reduction_fit(small, u, x, &left, &err), &err);
+    check_that(left < 1e-10, "%g of a rotation is not in a closed basis", left);
+    check_absolute(largest_force(small, x, 1) / largest_force(small, x, 0.9), 0, 1e-10,
+                   "forces of a turned beam");
+    hobe_history *history = move(small, 0.5, 50);
+    const struct hobe_energies *a = hobe_history_energies(history, 0);
+    const struct hobe_energies *b = hobe_history_energies(history, 1);
+    check_absolute(distance(a->momentum, b->momentum), 0, 1e-9 * norm(a->momentum), "momentum");
+    /* generalised alpha keeps it to the second order: (1 rad/s 0.01 s)^2 */
+    check_absolute(distance(a->angular_momentum, b->angular_momentum), 0,
+                   1e-4 * norm(a->angular_momentum), "angular momentum");
+    hobe_history_free(history);
+    free(q);
+    free(x);
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_model_free(whole);
+}
+
+/* ---- files ----------------------------------------------------------------------------------- */
+
+static void expect_refused(hobe_model *model, const void *bytes, size_t size, const char *what)
+{
+    hobe_reduced *reduced;
+    struct hobe_error err;
+    const enum hobe_status status = hobe_reduced_read(model, bytes, size, &reduced, &err);
+    check_that(status == HOBE_BAD_INPUT && !reduced, "%s: status %d", what, (int)status);
+}
+
+/* What is written comes back, but not for another beam, nor damaged or cut off. */
+static void files(const hobe_section *section)
+{
+    struct hobe_error err;
+    struct hobe_beam beam = soft_beam(section, 2);
+    hobe_model *whole = loaded(section, 0);
+    hobe_reduced *reduced = reduce(whole, &(struct hobe_reduce){.modes = 5}), *read;
+    void *bytes;
+    size_t size;
+    expect_ok(hobe_reduced_write(reduced, &bytes, &size, &err), &err);
+    expect_ok(hobe_reduced_read(whole, bytes, size, &read, &err), &err);
+    hobe_model *small[2] = {small_of(reduced, whole), small_of(read, whole)};
+    hobe_solution *a = rest(small[0]), *b = rest(small[1]);
+    check_that(!memcmp(a->u, b->u, (size_t)(3 * whole->vectors) * sizeof *a->u),
+               "the basis that was read gives another state");
+    hobe_solution_free(a);
+    hobe_solution_free(b);
+    beam.to[0] *= 1.001;
+    hobe_model *longer = cantilever(&beam, 0);
+    expect_refused(longer, bytes, size, "another length");
+    beam.to[0] = 1;
+    beam.material.E *= 1.001;
+    hobe_model *stiffer = cantilever(&beam, 0), *other;
+    expect_refused(stiffer, bytes, size, "another stiffness");
+    check_that(hobe_reduced_model(reduced, stiffer, &other, &err) == HOBE_BAD_INPUT && !other,
+               "a basis of another beam is taken");
+    expect_refused(whole, bytes, size - 1, "cut off");
+    expect_refused(whole, bytes, 10, "cut off at 10 bytes");
+    for (int i = 0; i < 50; i++) {
+        char *at = (char *)bytes + (size_t)random_real(0, (double)size);
+        *at ^= 4;
+        expect_refused(whole, bytes, size, "damaged");
+        *at ^= 4;
+    }
+    hobe_free(bytes);
+    hobe_model_free(small[0]);
+    hobe_model_free(small[1]);
+    hobe_reduced_free(reduced);
+    hobe_reduced_free(read);
+    hobe_model_free(whole);
+    hobe_model_free(longer);
+    hobe_model_free(stiffer);
+}
+
 int main(void)
 {
     random_start();
@@ -320,6 +513,11 @@ int main(void)
     loads(section);
     joints(section);
     spins(section);
+    retains_modes(section, 0);
+    retains_modes(section, 1);
+    keeps_supports(section);
+    turns(section);
+    files(section);
     hobe_section_free(section);
     return check_report();
 }
