@@ -5,7 +5,7 @@
 -- of the path at rest.  Each result brings an indicator, what the displacements may lack of those of
 -- the whole scene, from one correction of that.  Expected: the whole scene.  Where the indicator
 -- says less than 1 %, the twist must be right to 2 %; it is shown up to 9.99, and infinite where the
--- correction is not found.  A basis of torsion knows no bending: a force
+-- correction is not found, which the note on the result says, too.  A basis of torsion knows no bending: a force
 -- across finds it stiff, and the indicator says that all is missing.
 local hobe = require "hobe"
 
