@@ -1,12 +1,13 @@
 -- Atlas of failures: reduced models against their number of modes and the distance from where they
 -- were made, and under a load that they were not made for.
 --
--- A square cantilever of 16 elements of MGD30w under an end torque; the basis holds the derivatives
--- of the path at rest.  Each result brings an indicator, what the displacements may lack of those of
--- the whole scene, from one correction of that.  Expected: the whole scene.  Where the indicator
--- says less than 1 %, the twist must be right to 2 %; it is shown up to 9.99, and infinite where the
--- correction is not found, which the note on the result says, too.  A basis of torsion knows no bending: a force
--- across finds it stiff, and the indicator says that all is missing.
+-- A square cantilever of 16 elements of MGD30w under an end torque; the basis holds the
+-- derivatives of the path at rest.  Each result brings an indicator, what the displacements may
+-- lack of those of the whole scene, from one correction of that.  Expected: the whole scene.
+-- Where the indicator says less than 1 %, the twist must be right to 2 %; it is shown up to 9.99,
+-- and infinite where the correction is not found, which the note on the result says, too.  A basis
+-- of torsion knows no bending: a force across finds it stiff, and the indicator says that all is
+-- missing.
 local hobe = require "hobe"
 
 local E, nu, L, side = 1e9, 0.3, 2, 0.1
