@@ -67,12 +67,16 @@ void hobe_lua_note_reduced(lua_State *L, double indicator, const hobe_solution *
     static const char *const methods[] = {"series", "modes", "fields"};
     struct hobe_lua_reduced *r = luaL_testudata(L, 1, HOBE_LUA_REDUCED);
     struct hobe_reduced_info info;
-    char text[60] = "";
+    char text[120] = "";
     if (!r)
         return;
     hobe_reduced_info(r->reduced, &info);
     if (isfinite(indicator))
         snprintf(text, sizeof text, ", indicator %.1e", indicator);
+    else if (isinf(indicator))
+        snprintf(text, sizeof text,
+                 ", indicator infinite: the result means nothing; take more "
+                 "modes, its load into loads, or a nearer centre");
     hobe_lua_note(L, "reduced: %s, %d unknowns of %ld, offline %.2g s%s", methods[info.method],
                   info.unknowns, info.whole, info.seconds, text);
     if (state && !r->compared)

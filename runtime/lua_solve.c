@@ -517,12 +517,17 @@ static void warn_unstable(lua_State *L, const hobe_solution *solution)
     hobe_lua_warn(L, text);
 }
 
-/* Warns of each beam whose mesh is too coarse. */
+/* Warns of each beam whose mesh is too coarse.  Few unknowns balance loads on few fields only, and
+ * have an indicator of their own. */
 static void warn_mesh(lua_State *L, const hobe_solution *solution, const hobe_model *model)
 {
+    struct hobe_solution_info info;
     struct hobe_error err;
     char text[600];
     const char *beam;
+    hobe_solution_info(solution, &info);
+    if (info.projected > 0 || info.indicator != 0)
+        return;
     for (int b = 0; (beam = hobe_model_beam_name(model, b)); b++) {
         if (hobe_solution_mesh_warning(solution, beam, text, sizeof text, &err))
             hobe_lua_raise(L, &err);

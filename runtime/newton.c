@@ -665,7 +665,8 @@ static enum hobe_status find(struct solver *s, struct hobe_error *err)
 static enum hobe_status count_negative(struct solver *s, struct hobe_error *err)
 {
     long negative = 1;
-    if (s->K.layout != FRONTS || s->model->spun || load_follower(s->model))
+    if (s->K.layout != FRONTS || s->model->spun || load_follower(s->model) ||
+        s->options.projection || s->options.linear)
         return HOBE_OK;
     if (s->info.factorisations > 0 && s->factored == FRONTS && solver_negative(s, &negative, err))
         return err ? err->status : HOBE_NO_MEMORY;
