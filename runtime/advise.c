@@ -17,20 +17,29 @@ static const double SMALL = 0.01;      /* share of the largest of its unit that 
 static const double OPEN = 0.25;       /* share of the accuracy that the estimate may leave open */
 static const double LEAST_OPEN = 0.02; /* where a choice hangs on it */
 static const double SLOW = 1.5, MODEST = 4, HIGH = 16; /* ratios of errors on meshes of n and 2 n */
-static const double HOPE = 1.3; /* times the accuracy that a prediction may miss to be tried */
+static const double BETTER = 2; /* how much less a base must leave open than lower ones */
+static const double CHEAPEST = 1.0 / 16,
+                    CHEAPER = 0.5; /* costs at which other elements are tried */
+static const double HOPE = 1.3;    /* times the accuracy that a prediction may miss to be tried */
 
 static const int MESH[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
 enum { MESHES = sizeof MESH / sizeof *MESH };
 
-/* One level: D on the meshes of its sequence, and what that tends to. */
+/* A sequence over meshes, each twice as fine as the one before, and what it tends to. */
+struct sequence {
+    int count;
+    int mesh[DOUBLINGS];
+    double *term;         /* [DOUBLINGS][quantities] */
+    double *limit, *open; /* [quantities], and how far that may be off */
+    double *ratio;        /* [quantities] by which the error of a mesh twice as fine is smaller */
+};
+
+/* The quantities Q(s, n) of a level, and what they are above those of the level before, D_s(n). */
+enum { OWN, STEP, SEQUENCES };
 struct level {
     const struct hobe_kernel *kernel;
-    int count;
-    int mesh[DOUBLINGS];  /* ascending, each twice the one before */
-    double *D;            /* [DOUBLINGS][quantities] */
-    double *limit, *open; /* [quantities], and how far that may be off */
-    double *ratio;        /* [quantities] by which a mesh twice as fine has a smaller error */
-    int closed;           /* it cannot be refined */
+    struct sequence of[SEQUENCES];
+    int closed[SEQUENCES]; /* it cannot be refined */
 };
 
 struct search {
@@ -38,8 +47,9 @@ struct search {
     struct advice *advice;
     struct level level[ADVISE_LEVELS];
     int levels;
-    double *scale; /* [quantities] */
-    double *x;     /* [quantities] a prediction */
+    int base;      /* Q is the limit of this level's Q(s, n) and of the D above it */
+    double *scale; /* [quantities] by which errors are measured */
+    double *x;     /* [quantities] what is at hand */
 };
 
 /* ---- levels ---------------------------------------------------------------------------------- */
@@ -70,6 +80,16 @@ const char *advise_step(const struct hobe_kernel *kernel)
         if (!strcmp(kernel->name, LEVELS[i].element))
             return LEVELS[i].effect;
     return kernel->name;
+}
+
+int advise_same_section(const struct hobe_kernel *a, const struct hobe_kernel *b)
+{
+    if (a->modes != b->modes || strcmp(a->mechanics, b->mechanics))
+        return 0;
+    for (int k = 0; k < a->modes; k++)
+        if (strcmp(a->mode[k], b->mode[k]))
+            return 0;
+    return 1;
 }
 
 int advise_leave_out(enum advise_without without, struct hobe_material *material)
@@ -216,7 +236,8 @@ static void find_limit(int count, const double *D, int stride, double *limit, do
     if (count < 3)
         return;
     if (!extrapolate(last - 2 * stride, stride, limit, ratio)) {
-        *open = 2 * fmax(step, fabs(last[-stride] - last[-2 * stride]));
+        const double before = fabs(last[-stride] - last[-2 * stride]);
+        *open = before >= 2 * step ? step : 2 * fmax(step, before);
         return;
     }
     *open = step / (fmin(*ratio, MODEST) - 1);
@@ -224,85 +245,102 @@ static void find_limit(int count, const double *D, int stride, double *limit, do
         *open = fmin(*open, fmax(fabs(*limit - earlier), 0.2 * fabs(*limit - *last)));
 }
 
-static void estimate_level(struct search *s, struct level *level)
+static void find_limits(const struct search *s, struct sequence *of)
 {
     const int n = s->problem->quantities;
     for (int i = 0; i < n; i++)
-        find_limit(level->count, level->D + i, n, level->limit + i, level->open + i,
-                   level->ratio + i);
+        find_limit(of->count, of->term + i, n, of->limit + i, of->open + i, of->ratio + i);
 }
 
-/* Adds D on a mesh to a level where it and the one before run there. */
-static enum hobe_status add_mesh(struct search *s, int l, int elements, struct hobe_error *err)
+/* Adds a term: a - b, b NULL: 0.  A sequence begins anew where a mesh is missing. */
+static void add_term(const struct search *s, struct sequence *to, int elements, const double *a,
+                     const double *b)
 {
-    struct level *level = s->level + l;
     const int n = s->problem->quantities;
-    const struct advise_trial *of[2] = {NULL, NULL};
-    for (int k = 0; k < 2 && k <= l; k++) {
-        const struct advise_model model = plain(s->level[l - k].kernel, elements);
-        const struct advise_trial *trial;
-        const enum hobe_status status = try_model(s, &model, &trial, err);
-        if (status)
-            return status;
-        if (!trial) {
-            level->count = 0; /* meshes must be each twice the one before */
-            return HOBE_OK;
-        }
-        of[k] = find_trial(s, &model);
-        if (k == 1) { /* trials may have moved */
-            const struct advise_model own = plain(level->kernel, elements);
-            of[0] = find_trial(s, &own);
-        }
-    }
-    double *D = level->D + level->count * n;
+    if (to->count > 0 && to->mesh[to->count - 1] >= elements)
+        return;
+    if (to->count > 0 && 2 * to->mesh[to->count - 1] != elements)
+        to->count = 0;
+    double *term = to->term + to->count * n;
     for (int i = 0; i < n; i++)
-        D[i] = of[0]->value[i] - (of[1] ? of[1]->value[i] : 0);
-    level->mesh[level->count++] = elements;
+        term[i] = a[i] - (b ? b[i] : 0);
+    to->mesh[to->count++] = elements;
+    find_limits(s, to);
+}
+
+/* Runs a level on a mesh, and adds what that tells of it and the next; *ran: whether it does. */
+static enum hobe_status add_mesh(struct search *s, int l, int elements, int *ran,
+                                 struct hobe_error *err)
+{
+    const struct advise_model model = plain(s->level[l].kernel, elements);
+    const struct advise_trial *own;
+    const enum hobe_status status = try_model(s, &model, &own, err);
+    *ran = own != NULL;
+    if (status || !own)
+        return status;
+    add_term(s, &s->level[l].of[OWN], elements, own->value, NULL);
+    for (int above = l; above <= l + 1 && above < s->levels; above++) {
+        if (above == 0)
+            continue;
+        const struct advise_model pair[2] = {plain(s->level[above].kernel, elements),
+                                             plain(s->level[above - 1].kernel, elements)};
+        const struct advise_trial *a = find_trial(s, &pair[0]), *b = find_trial(s, &pair[1]);
+        if (a && b && !a->failed && !b->failed)
+            add_term(s, &s->level[above].of[STEP], elements, a->value, b->value);
+    }
     return HOBE_OK;
 }
 
-/* One more mesh, twice as fine. */
-static enum hobe_status refine(struct search *s, int l, struct hobe_error *err)
+/* One more term, on a mesh twice as fine. */
+static enum hobe_status refine(struct search *s, int l, int which, struct hobe_error *err)
 {
-    struct level *level = s->level + l;
-    const int next = 2 * level->mesh[level->count - 1];
-    const int before = level->count;
-    if (next > s->problem->most || level->count == DOUBLINGS) {
-        level->closed = 1;
-        return HOBE_OK;
-    }
-    const enum hobe_status status = add_mesh(s, l, next, err);
-    if (level->count == 0) { /* the finer one does not run */
-        level->count = before;
-        level->closed = 1;
-    }
+    const struct sequence *of = &s->level[l].of[which];
+    const int next = of->count > 0 ? 2 * of->mesh[of->count - 1] : 1;
+    int ran = next <= s->problem->most && of->count < DOUBLINGS;
+    enum hobe_status status = HOBE_OK;
+    for (int k = 0; !status && ran && k <= which; k++)
+        status = add_mesh(s, l - k, next, &ran, err);
+    s->level[l].closed[which] = !ran;
     return status;
+}
+
+static enum hobe_status open_sequence(struct sequence *of, size_t n, struct hobe_error *err)
+{
+    of->term = hobe_alloc(DOUBLINGS * n, sizeof *of->term, err);
+    of->limit = hobe_alloc(3 * n, sizeof *of->limit, err);
+    if (!of->term || !of->limit)
+        return HOBE_NO_MEMORY;
+    of->open = of->limit + n;
+    of->ratio = of->open + n;
+    for (size_t i = 0; i < n; i++)
+        of->open[i] = INFINITY;
+    return HOBE_OK;
+}
+
+static void close_level(struct level *level)
+{
+    for (int k = 0; k < SEQUENCES; k++) {
+        hobe_free(level->of[k].term);
+        hobe_free(level->of[k].limit);
+    }
 }
 
 /* Two meshes of a level to begin with, the coarsest that run; none: the level is left out. */
 static enum hobe_status start_level(struct search *s, const struct hobe_kernel *kernel,
                                     struct hobe_error *err)
 {
-    struct level *level = s->level + s->levels;
-    const size_t n = (size_t)s->problem->quantities;
-    *level = (struct level){.kernel = kernel};
-    level->D = hobe_alloc(DOUBLINGS * n, sizeof *level->D, err);
-    level->limit = hobe_alloc(3 * n, sizeof *level->limit, err);
-    level->open = level->limit + n;
-    level->ratio = level->open + n;
-    s->levels++; /* now it is freed with the search */
-    if (!level->D || !level->limit)
-        return HOBE_NO_MEMORY;
+    struct level *level = s->level + s->levels++;
     enum hobe_status status = HOBE_OK;
-    for (int mesh = 1; !status && level->count < 2 && mesh <= s->problem->most; mesh *= 2)
-        status = add_mesh(s, s->levels - 1, mesh, err);
+    *level = (struct level){.kernel = kernel};
+    for (int k = 0; !status && k < SEQUENCES; k++)
+        status = open_sequence(&level->of[k], (size_t)s->problem->quantities, err);
+    for (int mesh = 1; !status && level->of[OWN].count < 2 && mesh <= s->problem->most; mesh *= 2) {
+        int ran;
+        status = add_mesh(s, s->levels - 1, mesh, &ran, err);
+    }
+    if (!status && level->of[OWN].count == 0)
+        close_level(s->level + --s->levels);
     return status;
-}
-
-static void free_level(struct level *level)
-{
-    hobe_free(level->D);
-    hobe_free(level->limit);
 }
 
 /* ---- the estimate ---------------------------------------------------------------------------- */
@@ -333,21 +371,43 @@ static struct advise_loss loss_of(const struct search *s, const double *a, const
     return loss;
 }
 
-static void estimate(struct search *s)
+/* The sequence that level l adds to the estimate, with a level as its base. */
+static const struct sequence *part_of(const struct search *s, int l, int base)
+{
+    return &s->level[l].of[l == base ? OWN : STEP];
+}
+
+/* The estimate with a level as its base: best, scale, and what is open. */
+static void estimate_from(struct search *s, int base)
 {
     struct advice *a = s->advice;
     const int n = s->problem->quantities;
-    memset(a->best, 0, (size_t)n * sizeof *a->best);
-    memset(s->x, 0, (size_t)n * sizeof *s->x);
-    for (int l = 0; l < s->levels; l++) {
-        estimate_level(s, s->level + l);
-        for (int i = 0; i < n; i++) {
-            a->best[i] += s->level[l].limit[i];
-            s->x[i] += s->level[l].open[i];
+    for (int i = 0; i < n; i++) {
+        a->best[i] = s->x[i] = 0;
+        for (int l = base; l < s->levels; l++) {
+            a->best[i] += part_of(s, l, base)->limit[i];
+            s->x[i] += part_of(s, l, base)->open[i];
         }
     }
     set_scale(s);
+    s->base = base;
     a->open = loss_of(s, s->x, NULL).size;
+}
+
+/* That with the base which leaves least open: levels that have little to do with the scene only
+ * add what is open of them.  Lower ones are cheaper to refine. */
+static void estimate(struct search *s)
+{
+    double least = INFINITY;
+    int base = 0;
+    for (int b = 0; b < s->levels; b++) {
+        estimate_from(s, b);
+        if (s->advice->open < least / BETTER) {
+            least = s->advice->open;
+            base = b;
+        }
+    }
+    estimate_from(s, base);
 }
 
 /* Refines where most is open until little is. */
@@ -357,47 +417,53 @@ static enum hobe_status settle(struct search *s, double open, struct hobe_error 
     for (estimate(s); !status && s->advice->open > open * s->problem->accuracy; estimate(s)) {
         int worst = -1;
         double most = 0;
-        for (int l = 0; l < s->levels; l++) {
-            const double size = loss_of(s, s->level[l].open, NULL).size;
-            if (s->level[l].closed || size <= most)
+        for (int l = s->base; l < s->levels; l++) {
+            const double size = loss_of(s, part_of(s, l, s->base)->open, NULL).size;
+            if (s->level[l].closed[l != s->base] || size <= most)
                 continue;
             most = size;
             worst = l;
         }
         if (worst < 0)
             break;
-        status = refine(s, worst, err);
+        status = refine(s, worst, worst != s->base, err);
     }
     return status;
 }
 
 /* ---- the choice ------------------------------------------------------------------------------ */
 
-/* D of a level on any mesh: as run, or by the errors of the meshes around it, between which it is
+/* A term on any mesh: as run, or by the errors of the meshes around it, between which they are
  * taken to be a power of the mesh. */
-static double difference_at(const struct search *s, const struct level *level, int elements, int i)
+static double term_at(const struct sequence *of, int n, int elements, int i)
 {
-    const int n = s->problem->quantities, last = level->count - 1;
+    const int last = of->count - 1;
     int k = 0;
-    while (k < last && level->mesh[k + 1] <= elements)
+    if (last < 0)
+        return 0;
+    while (k < last && of->mesh[k + 1] <= elements)
         k++;
-    const double error = level->D[k * n + i] - level->limit[i];
-    double shrink = level->ratio[i];
-    if (elements <= level->mesh[k])
-        return level->D[k * n + i];
+    const double error = of->term[k * n + i] - of->limit[i];
+    double shrink = of->ratio[i];
+    if (elements <= of->mesh[k])
+        return of->term[k * n + i];
     if (k < last) {
-        const double next = level->D[(k + 1) * n + i] - level->limit[i];
+        const double next = of->term[(k + 1) * n + i] - of->limit[i];
         shrink = next * error > 0 ? error / next : 2;
     }
-    return level->limit[i] + error * pow((double)elements / level->mesh[k], -log2(shrink));
+    return of->limit[i] + error * pow((double)elements / of->mesh[k], -log2(shrink));
 }
 
-static void predict(const struct search *s, int l, int elements, double *x)
+/* x = what a level would give on a mesh; elements 0: its limit. */
+static void predict(const struct search *s, int level, int elements, double *x)
 {
-    for (int i = 0; i < s->problem->quantities; i++) {
+    const int n = s->problem->quantities, base = level < s->base ? level : s->base;
+    for (int i = 0; i < n; i++) {
         x[i] = 0;
-        for (int j = 0; j <= l; j++)
-            x[i] += difference_at(s, s->level + j, elements, i);
+        for (int l = base; l <= level; l++) {
+            const struct sequence *of = part_of(s, l, base);
+            x[i] += elements ? term_at(of, n, elements, i) : of->limit[i];
+        }
     }
 }
 
@@ -422,9 +488,9 @@ static void take(struct search *s, const struct advise_trial *trial, int held,
 /* The iterations that a level takes, by its finest mesh so far. */
 static int usual_iterations(const struct search *s, const struct level *level)
 {
-    const struct advise_model model = plain(level->kernel, level->mesh[level->count - 1]);
-    const struct advise_trial *trial = find_trial(s, &model);
-    return trial ? (int)lround(trial->cost / advise_cost(&model, 1)) : 1;
+    const struct sequence *own = &level->of[OWN];
+    const struct advise_model model = plain(level->kernel, own->mesh[own->count - 1]);
+    return (int)lround(find_trial(s, &model)->cost / advise_cost(&model, 1));
 }
 
 /* Runs the models up to a cost that the estimate gives hope, the cheapest first, until one holds;
@@ -486,6 +552,41 @@ static int hangs(const struct search *s)
     return 0;
 }
 
+/* Runs an element on meshes that cost less than half of the model taken, until one holds. */
+static enum hobe_status try_element(struct search *s, const struct hobe_kernel *kernel,
+                                    struct hobe_error *err)
+{
+    const struct advise_trial taken = s->advice->trial[s->advice->model];
+    const int iterations = (int)lround(taken.cost / advise_cost(&taken.model, 1));
+    for (int k = 0; k < MESHES && MESH[k] <= s->problem->most; k++) {
+        const struct advise_model model = plain(kernel, MESH[k]);
+        const double cost = advise_cost(&model, iterations) / taken.cost;
+        const struct advise_trial *trial;
+        struct advise_loss error;
+        if (cost < CHEAPEST || cost > CHEAPER)
+            continue;
+        const enum hobe_status status = try_model(s, &model, &trial, err);
+        if (status)
+            return status;
+        if (trial && holds(s, trial, &error)) {
+            take(s, trial, 1, error);
+            return HOBE_OK;
+        }
+    }
+    return HOBE_OK;
+}
+
+/* Tries the elements that have the section modes of the model taken. */
+static enum hobe_status try_twins(struct search *s, struct hobe_error *err)
+{
+    const struct hobe_kernel *taken = s->advice->trial[s->advice->model].model.kernel;
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; !status && hobe_kernels()[i]; i++)
+        if (hobe_kernels()[i] != taken && advise_same_section(hobe_kernels()[i], taken))
+            status = try_element(s, hobe_kernels()[i], err);
+    return status;
+}
+
 /* ---- evidence -------------------------------------------------------------------------------- */
 
 /* Takes the linear model on the coarsest mesh that holds and costs less. */
@@ -540,24 +641,18 @@ static enum hobe_status try_without(struct search *s, struct hobe_error *err)
 static void weigh_levels(struct search *s)
 {
     struct advice *a = s->advice;
-    const struct advise_trial *chosen = a->trial + a->model;
-    memset(s->x, 0, (size_t)s->problem->quantities * sizeof *s->x);
+    const struct advise_model *taken = &a->trial[a->model].model;
+    const struct advise_model twin = plain(taken->kernel, taken->elements);
     for (int l = 0, at = 0; l < s->levels; l++) {
         while (s->problem->level[at] != s->level[l].kernel)
             at++;
-        if (l > 0)
-            a->level[at] = loss_of(s, s->level[l].limit, NULL);
+        if (l > 0 && s->level[l].of[STEP].count > 0)
+            a->level[at] = loss_of(s, s->level[l].of[STEP].limit, NULL);
+        if (advise_same_section(s->level[l].kernel, taken->kernel) && find_trial(s, &twin)) {
+            predict(s, l, 0, s->x);
+            a->mesh = loss_of(s, find_trial(s, &twin)->value, s->x);
+        }
     }
-    for (int l = 0; l < s->levels; l++) {
-        for (int i = 0; i < s->problem->quantities; i++)
-            s->x[i] += s->level[l].limit[i];
-        if (s->level[l].kernel == chosen->model.kernel)
-            break;
-    }
-    struct advise_model twin = plain(chosen->model.kernel, chosen->model.elements);
-    const struct advise_trial *nonlinear = find_trial(s, &twin);
-    if (nonlinear && !nonlinear->failed)
-        a->mesh = loss_of(s, nonlinear->value, s->x);
 }
 
 /* ---- all of it ------------------------------------------------------------------------------- */
@@ -586,8 +681,6 @@ static enum hobe_status start_levels(struct search *s, struct hobe_error *err)
         const enum hobe_status status = start_level(s, p->level[l], err);
         if (status)
             return status;
-        if (s->level[s->levels - 1].count == 0)
-            free_level(s->level + --s->levels);
     }
     if (s->levels > 0)
         return HOBE_OK;
@@ -605,6 +698,8 @@ static enum hobe_status search(struct search *s, struct hobe_error *err)
         if (!status && s->advice->holds && !hangs(s))
             break;
     }
+    if (!status)
+        status = try_twins(s, err);
     if (!status && (s->problem->weighs_linear || s->problem->takes_linear))
         status = try_linear(s, err);
     if (!status)
@@ -622,7 +717,7 @@ enum hobe_status advise(const struct advise_problem *problem, struct advice *adv
     if (!status)
         status = search(&s, err);
     for (int l = 0; l < s.levels; l++)
-        free_level(s.level + l);
+        close_level(s.level + l);
     hobe_free(s.scale);
     hobe_free(s.x);
     return status;

@@ -10,7 +10,8 @@
  * each limit by the order of convergence that its own sequence n = 1, 2, 4, ... shows (Richardson
  * 1911), refined where most is open; differences of levels converge on meshes that leave the
  * quantity itself far from converged.  A model is taken when it was run and lies within the
- * accuracy of Q, what is open of Q included; and models are tried in the order of their cost. */
+ * accuracy of Q, what is open of Q included; and models are tried in the order of their cost.  Then
+ * other elements with the same modes of the section, and the linear response, may do it cheaper. */
 #ifndef HOBE_ADVISE_H
 #define HOBE_ADVISE_H
 
@@ -31,6 +32,13 @@ struct advise_model {
     int linear;   /* the linear response */
     enum advise_without without;
 };
+
+/* A model as a word, "MGD30w:8", "MGD30w:8:linear", "MGD30w:8:no-shear": text[ADVISE_WORD]; and
+ * back, HOBE_BAD_INPUT or HOBE_UNKNOWN for what is none. */
+enum { ADVISE_WORD = 120 };
+void advise_model_word(const struct advise_model *model, char *text);
+enum hobe_status advise_read_model(const char *text, struct advise_model *model,
+                                   struct hobe_error *err);
 
 /* Changes a material so that it leaves that out; 0 where it cannot, for the shear factors it has.
  */
@@ -62,6 +70,10 @@ enum { ADVISE_LEVELS = 8, ADVISE_MOST = 256 };
 /* The levels that hobe knows, of those elements that are built in: 1 y z, then w, wy and wz, and
  * those of distortion; level[ADVISE_LEVELS]; their number. */
 int advise_levels(const struct hobe_kernel **level);
+
+/* Whether two elements have the same modes of the section and the same mechanics, so that they tend
+ * to the same and differ in how fast. */
+int advise_same_section(const struct hobe_kernel *a, const struct hobe_kernel *b);
 
 /* What the step from the level before to this one is about: "warping in torsion". */
 const char *advise_step(const struct hobe_kernel *kernel);

@@ -1,10 +1,64 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is said of a choice of model: the model, and what it needs and does without. */
+#define _GNU_SOURCE
 #include "advise.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* ---- models as words ------------------------------------------------------------------------- */
+
+static const char LINEAR[] = "linear";
+static const char *const WITHOUT[] = {
+    [ADVISE_NO_SHEAR] = "no-shear", [ADVISE_NO_POISSON] = "no-poisson"};
+
+void advise_model_word(const struct advise_model *model, char *text)
+{
+    snprintf(text, ADVISE_WORD, "%s:%d%s%s%s%s", model->kernel->name, model->elements,
+             model->linear ? ":" : "", model->linear ? LINEAR : "", model->without ? ":" : "",
+             model->without ? WITHOUT[model->without] : "");
+}
+
+/* What stands behind the number of elements; 0 where it is nothing known. */
+static int read_manner(const char *word, struct advise_model *model)
+{
+    if (!strcmp(word, LINEAR))
+        return model->linear = 1;
+    for (int w = ADVISE_COMPLETE + 1; w < ADVISE_WITHOUTS; w++)
+        if (!strcmp(word, WITHOUT[w])) {
+            model->without = (enum advise_without)w;
+            return 1;
+        }
+    return 0;
+}
+
+enum hobe_status advise_read_model(const char *text, struct advise_model *model,
+                                   struct hobe_error *err)
+{
+    static const int most = 1000000;
+    char copy[ADVISE_WORD], *save, *end = copy;
+    snprintf(copy, sizeof copy, "%s", text);
+    *model = (struct advise_model){0};
+    const char *name = strtok_r(copy, ":", &save), *number = strtok_r(NULL, ":", &save);
+    model->kernel = hobe_find_kernel(name ? name : "", err);
+    if (!model->kernel)
+        return err ? err->status : HOBE_UNKNOWN;
+    const long elements = number ? strtol(number, &end, 10) : 0;
+    int good = elements >= 1 && elements <= most && *end == '\0';
+    model->elements = (int)elements;
+    for (const char *word; good && (word = strtok_r(NULL, ":", &save));)
+        good = read_manner(word, model);
+    if (good)
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :no-shear or "
+                     ":no-poisson, such as MGD30w:8, got \"%.100s\"",
+                     most, text);
+}
+
+/* ---- evidence -------------------------------------------------------------------------------- */
 
 static const char *verdict(const struct advice *a, struct advise_loss loss, int has)
 {
@@ -27,7 +81,7 @@ int advise_evidence(const struct advice *a, struct advise_effect *effect)
         if (l > 0)
             effect[count++] = (struct advise_effect){advise_step(p->level[l]),
                                                      verdict(a, a->level[l], has), a->level[l]};
-        has = has && p->level[l] != model->kernel;
+        has = has && !advise_same_section(p->level[l], model->kernel);
     }
     effect[count++] = (struct advise_effect){"large displacements",
                                              verdict(a, a->linear, !model->linear), a->linear};

@@ -9,6 +9,7 @@
  * is what the mixed derivatives of a pair would span. */
 #include "basis.h"
 
+#include "closure.h"
 #include "mass.h"
 #include "mixture.h"
 #include "modes.h"
@@ -18,10 +19,9 @@
 
 #include <math.h>
 
-enum { DEFAULT_MODES = 12, PARTS = 3 /* of a right angle between two loads */ };
+enum { DEFAULT_MODES = 12, MOST_MODES = 60, PARTS = 3 /* of a right angle between two loads */ };
 
-static const double AMPLITUDE = 0.1;    /* of modes whose paths are followed: rad, or the length */
-static const double INDEPENDENT = 1e-5; /* share of a field that must be new */
+static const double AMPLITUDE = 0.1; /* of modes whose paths are followed: rad, or the length */
 
 /* What a basis is made of: directions of load, and the fields so far. */
 struct source {
@@ -117,12 +117,18 @@ static enum hobe_status add_paths(struct source *s, struct hobe_error *err)
     return status;
 }
 
+/* What principal fields may leave of the states: a tenth of what displacements may lack. */
+static double share_of(const struct source *s)
+{
+    return s->options->accuracy / 10;
+}
+
 /* ---- the methods ----------------------------------------------------------------------------- */
 
 static enum hobe_status by_series(struct source *s, struct hobe_error *err)
 {
     const enum hobe_status status = add_paths(s, err);
-    return status ? status : span_compress(&s->span, 0, s->options->modes, err);
+    return status ? status : span_compress(&s->span, 0, s->options->modes, share_of(s), err);
 }
 
 /* The modes themselves, so that small vibrations are exact; then what they and the loads make of
@@ -135,10 +141,11 @@ static enum hobe_status by_modes(struct source *s, struct hobe_error *err)
         status = span_add(&s->span, modes_shape(s->modes, i, NULL), err);
     if (status)
         return status;
-    span_orthonormalise(&s->span, 0, INDEPENDENT);
+    span_orthonormalise(&s->span, 0);
     const long exact = s->span.n;
     status = add_paths(s, err);
-    return status ? status : span_compress(&s->span, exact, s->options->modes - exact, err);
+    return status ? status
+                  : span_compress(&s->span, exact, s->options->modes - exact, share_of(s), err);
 }
 
 static enum hobe_status by_fields(struct source *s, struct hobe_error *err)
@@ -148,7 +155,7 @@ static enum hobe_status by_fields(struct source *s, struct hobe_error *err)
     for (int i = 0; !status && i < s->options->fields; i++)
         status = span_add(&s->span, s->options->field + i * size, err);
     if (!status)
-        span_orthonormalise(&s->span, 0, INDEPENDENT);
+        span_orthonormalise(&s->span, 0);
     return status;
 }
 
@@ -282,6 +289,20 @@ static void take(struct span *span, struct basis *basis)
     span->field = NULL;
 }
 
+static enum hobe_status check_closed(const struct hobe_reduce *o, struct hobe_error *err)
+{
+    if (o->closed != 0 && o->closed != 2 && o->closed != 3)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a basis is closed under rotations in a plane, 2, or in space, 3; got "
+                         "closed = %d",
+                         o->closed);
+    if (o->closed == 2 && !(length3(o->normal) > 0 && isfinite(length3(o->normal))))
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a basis closed in a plane needs its normal, got {%g, %g, %g}",
+                         o->normal[0], o->normal[1], o->normal[2]);
+    return HOBE_OK;
+}
+
 enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
                             struct basis *basis, struct hobe_error *err)
 {
@@ -289,20 +310,24 @@ enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
     struct source s = {.options = &o};
     *basis = (struct basis){0};
     if (o.modes <= 0)
-        o.modes = DEFAULT_MODES;
-    enum hobe_status status = hobe_model_build(full, err);
+        o.modes = o.accuracy > 0 ? MOST_MODES : DEFAULT_MODES;
+    enum hobe_status status = check_closed(&o, err);
+    if (!status)
+        status = hobe_model_build(full, err);
     if (!status)
         status = open_source(&s, full, err);
     if (!status)
         status = make(&s, err);
+    if (!status && o.closed)
+        status = closure_add(&s.span, o.closed, o.normal, err);
     if (!status)
         take(&s.span, basis);
     close_source(&s);
     return status;
 }
 
-enum hobe_status basis_add(struct basis *basis, hobe_model *full, const double *field,
-                           struct hobe_error *err)
+enum hobe_status basis_add(struct basis *basis, hobe_model *full, const struct hobe_reduce *options,
+                           const double *field, struct hobe_error *err)
 {
     struct span span;
     enum hobe_status status = span_open(&span, full, NULL, err);
@@ -310,8 +335,11 @@ enum hobe_status basis_add(struct basis *basis, hobe_model *full, const double *
         status = span_add(&span, basis->field + i * 3 * full->vectors, err);
     if (!status)
         status = span_add(&span, field, err);
+    if (!status)
+        span_orthonormalise(&span, basis->n);
+    if (!status && options->closed && span.n > basis->n)
+        status = closure_add(&span, options->closed, options->normal, err);
     if (!status) {
-        span_orthonormalise(&span, basis->n, INDEPENDENT);
         basis_free(basis);
         take(&span, basis);
     }

@@ -19,9 +19,10 @@ struct basis {
 enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
                             struct basis *basis, struct hobe_error *err);
 
-/* Appends what of a field of the model is new to the basis, if anything is. */
-enum hobe_status basis_add(struct basis *basis, hobe_model *full, const double *field,
-                           struct hobe_error *err);
+/* Appends what of a field of the model is new to the basis, if anything is; and what closes it
+ * then, as the options have it. */
+enum hobe_status basis_add(struct basis *basis, hobe_model *full, const struct hobe_reduce *options,
+                           const double *field, struct hobe_error *err);
 void basis_free(struct basis *basis);
 
 #endif

@@ -300,34 +300,6 @@ static size_t add_series(const struct bench_rows *rows, const struct figure *fig
     return count;
 }
 
-static enum hobe_status write_text(const char *folder, const char *name, struct hobe_text *text,
-                                   struct hobe_error *err)
-{
-    enum hobe_status status = hobe_text_check(text, err);
-    if (!status)
-        status = hobe_write_file(folder, name, text->at, text->size, err);
-    hobe_text_free(text);
-    return status;
-}
-
-/* Writes NAME.data.csv, NAME.gp and, by gnuplot, NAME.png. */
-static enum hobe_status write_plot(const struct hobe_plot *plot, const char *name,
-                                   const char *folder, int *drawn, struct hobe_error *err)
-{
-    char data[80], script[80], image[80];
-    struct hobe_text text = {0};
-    snprintf(data, sizeof data, "%s.data.csv", name);
-    snprintf(script, sizeof script, "%s.gp", name);
-    snprintf(image, sizeof image, "%s.png", name);
-    hobe_plot_data(&text, plot);
-    enum hobe_status status = write_text(folder, data, &text, err);
-    if (!status) {
-        hobe_plot_script(&text, plot, data, image);
-        status = write_text(folder, script, &text, err);
-    }
-    return status ? status : hobe_plot_draw(folder, script, image, drawn, err);
-}
-
 static enum hobe_status draw(const struct bench_rows *rows, const struct figure *figure,
                              const char *folder, int *drawn, struct hobe_error *err)
 {
@@ -348,7 +320,7 @@ static enum hobe_status draw(const struct bench_rows *rows, const struct figure 
                                    .log_x = figure->log_x,
                                    .log_y = 1};
     if (used)
-        status = write_plot(&plot, figure->name, folder, drawn, err);
+        status = hobe_plot_write(folder, figure->name, &plot, drawn, err);
     hobe_free(d.x);
     hobe_free(d.y);
     hobe_free(d.series);
@@ -362,7 +334,7 @@ enum hobe_status bench_write(const struct bench_rows *rows, const char *folder, 
     struct hobe_text text = {0};
     *drawn = 1;
     bench_text(rows, BENCH_CSV, &text);
-    enum hobe_status status = write_text(folder, "bench.csv", &text, err);
+    enum hobe_status status = hobe_write_text(folder, "bench.csv", &text, err);
     for (size_t i = 0; !status && i < sizeof figures / sizeof *figures; i++)
         status = draw(rows, figures + i, folder, drawn, err);
     return status;

@@ -1,33 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "component_modes.h"
 
-#include "body.h"
-#include "load.h"
 #include "mass.h"
 #include "pattern.h"
 #include "pencil.h"
-#include "spring.h"
 
 #include <string.h>
 
 /* ---- the interfaces ------------------------------------------------------------------------- */
-
-static void touch_tie(const struct tie *tie, unsigned char *touched)
-{
-    for (int i = 0; i < tie->vectors; i++)
-        touched[tie->vector[i]] = 1;
-}
-
-static void touch_all(const struct hobe_model *model, unsigned char *touched)
-{
-    load_touch(model, 0, touched);
-    for (size_t i = 0; i < model->ties.count; i++)
-        touch_tie(model_tie(model, i), touched);
-    for (size_t i = 0; i < model->springs.count; i++)
-        touch_tie(&model_spring(model, i)->tie, touched);
-    for (long v = model->beam_vectors; v < model->vectors; v++)
-        touched[v] = 1;
-}
 
 /* Keeps all vectors of a node of an element one of whose vectors is touched. */
 static void keep_nodes(const struct hobe_model *model, const struct beam *beam, int e,
@@ -48,7 +28,7 @@ enum hobe_status component_interfaces(const struct hobe_model *model, unsigned c
     unsigned char *touched = hobe_alloc((size_t)model->vectors, sizeof *touched, err);
     if (!touched)
         return HOBE_NO_MEMORY;
-    touch_all(model, touched);
+    pattern_mark(model, 0, touched);
     for (size_t i = 0; i < model->beams.count; i++)
         for (int e = 0; e < model_beam(model, i)->spec.elements; e++)
             keep_nodes(model, model_beam(model, i), e, touched, kept);

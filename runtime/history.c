@@ -9,9 +9,13 @@
 #include "reduction.h"
 #include "solution.h"
 #include "spring.h"
+#include "trust.h"
 #include "vector3.h"
 
+#include <math.h>
 #include <string.h>
+
+enum { FIRST_ASKED = 20 };
 
 /* ---- work ----------------------------------------------------------------------------------- */
 
@@ -162,6 +166,20 @@ static hobe_solution *new_state(struct genalpha *g, double started, struct hobe_
     return NULL;
 }
 
+/* The first states of a reduced model, and then every tenth, are asked, each by factors of the
+ * whole model.  What went astray does not come back: a state has the largest indicator so far. */
+static enum hobe_status ask(hobe_history *history, const hobe_model *model, hobe_solution *state,
+                            struct hobe_error *err)
+{
+    const size_t count = history->states.count;
+    enum hobe_status status = HOBE_OK;
+    if (model->reduction && state->info.time > 0 && (count <= FIRST_ASKED || count % 10 == 0))
+        status = trust_ask(model->reduction->whole, state, &history->size, err);
+    history->indicator = fmax(history->indicator, state->info.indicator); /* NaN: not asked */
+    state->info.indicator = history->indicator;
+    return status;
+}
+
 enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct account *account,
                               double started, struct hobe_error *err)
 {
@@ -176,6 +194,10 @@ enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct 
     hobe_solution *state = new_state(g, started, err);
     if (!state)
         return err ? err->status : HOBE_NO_MEMORY;
+    if (ask(history, g->s.model, state, err)) {
+        hobe_solution_free(state);
+        return HOBE_NO_MEMORY;
+    }
     return history_append(history, state, &e, err);
 }
 

@@ -8,6 +8,7 @@
 struct hobe_history {
     struct hobe_history_info info;
     struct list states, energies; /* hobe_solution *, struct hobe_energies */
+    double size, indicator;       /* the largest so far of a reduced model's states (trust.h) */
 };
 
 /* The work since the start, by steps: of loads (Q + Q1)/2 . (u1 - u), exact where they are dead; of

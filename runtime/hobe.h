@@ -729,7 +729,7 @@ struct hobe_solution_info {
     double time;     /* s, of drives, histories and hobe_dynamic */
     int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                         stable, as it may be with some where the scene spins (hobe_modal tells);
-                        -1: not counted, as by hobe_static but by series */
+                        -1: not counted, as by hobe_static then, and with follower forces */
     double residual; /* of the last iteration */
     double change;   /* of the displacements by a last correction, beyond what tolerance asked for,
                         relative to their size, in the norm sum u^2 K_0 over the diagonal of the
@@ -741,9 +741,10 @@ struct hobe_solution_info {
     double outside;     /* residual of the full model, most of which a projection does not see */
     double
         smallest_volume; /* min det F over the stations of all elements and places of a section */
-    double indicator;    /* of a reduced model: what its displacements may lack of those of the
-                            whole one, relative to their size; 0 of whole models; NaN: not asked */
-    double seconds;      /* in the verb so far, without set-up */
+    double indicator; /* of a reduced model and of a projection: what its displacements may lack of
+                         those of the whole one, relative to their size, in motion the largest so
+                         far; 0 of whole models; NaN: not asked */
+    double seconds;   /* in the verb so far, without set-up */
 };
 
 /* Static equilibrium under all loads of the model from its reference or options.start; by series
@@ -1038,7 +1039,7 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
 enum hobe_status hobe_solution_mesh_error(const hobe_solution *solution, const char *beam,
                                           double *share, struct hobe_error *err);
 
-/* The sentence to warn with where that is 1/20 or more, "" where it is less. */
+/* The sentence to warn with where that is 1/100 or more, "" where it is less. */
 enum hobe_status hobe_solution_mesh_warning(const hobe_solution *solution, const char *beam,
                                             char *text, size_t size, struct hobe_error *err);
 
@@ -1197,7 +1198,9 @@ enum hobe_reduce_method {
 struct hobe_reduce {
     enum hobe_reduce_method method;
     int modes;       /* unknowns q, at most; 0: as many as accuracy needs, or 12 */
-    double accuracy; /* relative, of the displacements under the loads of interest; 0: modes say */
+    double accuracy; /* relative, of the displacements under the loads of interest: so many fields,
+                        and what they lack there besides; hobe_static refuses what is less accurate
+                        under others (HOBE_NOT_CONVERGED).  0: modes say */
     const hobe_solution *centre; /* u_c: a state of the model, copied; NULL: the reference */
     int closed; /* 0; 3: with each field its components along all axes, so that any rotation of the
                    whole is in the basis; 2: those along the axes of a plane */
@@ -1211,10 +1214,11 @@ struct hobe_reduce {
 
 struct hobe_reduced_info {
     enum hobe_reduce_method method;
-    int unknowns;   /* q */
-    int closed;     /* as in hobe_reduce */
-    long whole;     /* unknowns of the model */
-    double seconds; /* offline: basis and energy; of one that was read, to read it */
+    int unknowns;    /* q */
+    int closed;      /* as in hobe_reduce */
+    long whole;      /* unknowns of the model */
+    double accuracy; /* that was asked for, or 0 */
+    double seconds;  /* offline: basis and energy; of one that was read, to read it */
 };
 
 /* Makes the basis and the energy on it.  HOBE_BAD_INPUT for elements whose energy is not quartic,

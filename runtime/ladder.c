@@ -28,81 +28,94 @@ static const struct ladder_line *find_value(const struct ladder_record *record, 
     return NULL;
 }
 
-static enum hobe_status add_quantity(struct ladder *ladder, const struct ladder_line *value,
-                                     double truth, struct hobe_error *err)
+static enum hobe_status add_quantity(struct ladder *ladder, const char *name, double truth,
+                                     struct hobe_error *err)
 {
     struct ladder_quantity *quantity = &ladder->quantity[ladder->quantities++];
-    *quantity =
-        (struct ladder_quantity){ladder_copy(value->word[1], err), ladder_copy(value->word[2], err),
-                                 truth, ladder_number(value->word[4])};
-    return quantity->name && quantity->unit ? HOBE_OK : HOBE_NO_MEMORY;
+    *quantity = (struct ladder_quantity){ladder_copy(name, err), NULL, truth, NAN};
+    return quantity->name ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
 /* Those that the case names; else those of the report that have an expected value; else all. */
 static enum hobe_status read_quantities(const struct ladder_record *record, struct ladder *ladder,
                                         struct hobe_error *err)
 {
-    const struct ladder_line *line, *value;
+    const struct ladder_line *line;
     enum hobe_status status = HOBE_OK;
     ladder->quantity = hobe_alloc((size_t)record->lines, sizeof *ladder->quantity, err);
     if (!ladder->quantity)
         return HOBE_NO_MEMORY;
-    for (int i = 0; !status && (line = ladder_find(record, "quantity", 3, i)); i++) {
-        if (!(value = find_value(record, line->word[1])))
-            return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                             "hobe.chart names %s, which the report does not have", line->word[1]);
-        status = add_quantity(ladder, value, ladder_number(line->word[2]), err);
-    }
+    for (int i = 0; !status && (line = ladder_find(record, "quantity", 3, i)); i++)
+        status = add_quantity(ladder, line->word[1], ladder_number(line->word[2]), err);
     for (int all = 0; all < 2 && ladder->quantities == 0; all++)
-        for (int i = 0; !status && (value = ladder_find(record, "value", 5, i)); i++)
-            if (all || !isnan(ladder_number(value->word[4])))
-                status = add_quantity(ladder, value, NAN, err);
+        for (int i = 0; !status && (line = ladder_find(record, "value", 5, i)); i++)
+            if (all || !isnan(ladder_number(line->word[4])))
+                status = add_quantity(ladder, line->word[1], NAN, err);
     if (!status && ladder->quantities == 0)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "the case reports no value; a chart shows the errors of hobe.report's");
     return status;
 }
 
-/* The quantities of a run; 0 with the sentence where it lacks one. */
-static int read_values(const struct ladder *ladder, const struct ladder_record *record,
-                       double *value, struct hobe_text *why)
+/* The quantities of a run, and what it says of them; a sentence where it lacks one. */
+static enum hobe_status read_values(struct ladder *ladder, const struct ladder_record *record,
+                                    double *value, struct hobe_text *why, struct hobe_error *err)
 {
     for (int q = 0; q < ladder->quantities; q++) {
-        const struct ladder_line *line = find_value(record, ladder->quantity[q].name);
+        struct ladder_quantity *quantity = &ladder->quantity[q];
+        const struct ladder_line *line = find_value(record, quantity->name);
         value[q] = line ? ladder_number(line->word[3]) : NAN;
-        if (isfinite(value[q]))
+        if (!isfinite(value[q])) {
+            hobe_text_add(why, "it reports no number for %s", quantity->name);
+            return hobe_text_check(why, err);
+        }
+        if (quantity->unit)
             continue;
-        hobe_text_add(why, "it reports no number for %s", ladder->quantity[q].name);
-        return 0;
+        quantity->expect = ladder_number(line->word[4]);
+        if (!(quantity->unit = ladder_copy(line->word[2], err)))
+            return HOBE_NO_MEMORY;
     }
-    return 1;
+    return HOBE_OK;
 }
 
 /* ---- runs ----------------------------------------------------------------------------------- */
 
-/* One run of a model: its record, to be freed, and its sentence where it fails. */
-static enum hobe_status run(const struct ladder_options *options, const char *what,
-                            const char *model, struct ladder_record *record, struct hobe_text *why,
-                            double *seconds, struct hobe_error *err)
+/* One run of a model and what is common to all: its record, to be freed, and its sentence where it
+ * fails. */
+static enum hobe_status run(const struct ladder_options *options, const struct ladder *ladder,
+                            const char *what, const char *model, struct ladder_record *record,
+                            struct hobe_text *why, double *seconds, struct hobe_error *err)
 {
+    struct hobe_text words = {0};
     *record = (struct ladder_record){0};
-    if (options->progress)
-        options->progress(what, model);
-    const enum hobe_status status =
-        options->run(options->context, model, record, why, seconds, err);
+    hobe_text_add(&words, "%s%s", model, ladder->common.at ? ladder->common.at : "");
+    const char *said = words.at ? words.at : "";
+    enum hobe_status status = hobe_text_check(&words, err);
+    if (!status && options->progress)
+        options->progress(what, said);
+    if (!status)
+        status = options->run(options->context, said, ladder->quantities == 0, record, why, seconds,
+                              err);
+    hobe_text_free(&words);
     return status ? status : hobe_text_check(why, err);
 }
 
-/* Asks the case, at its own parameters, what it measures and which models it has. */
+/* Asks the case, at the first values given, what it measures and which models it has. */
 static enum hobe_status ask(const struct ladder_options *options, struct ladder *ladder,
                             struct ladder_record *record, struct hobe_error *err)
 {
-    struct hobe_text why = {0};
+    struct hobe_text why = {0}, words = {0};
     double seconds;
-    enum hobe_status status = run(options, "asking", "", record, &why, &seconds, err);
+    for (int i = 0; i < options->given; i++)
+        hobe_text_add(&words, " %s=%s", options->axis[i].name, options->axis[i].value[0]);
+    enum hobe_status status = hobe_text_check(&words, err);
+    if (!status)
+        status =
+            run(options, ladder, "asking", words.at ? words.at : "", record, &why, &seconds, err);
     if (!status && why.size > 0)
         status = hobe_fail(err, HOBE_BAD_INPUT, NULL, "%s", why.at);
     hobe_text_free(&why);
+    hobe_text_free(&words);
     status = status ? status : read_quantities(record, ladder, err);
     return status ? status : ladder_make_rungs(options, record, ladder, err);
 }
@@ -128,19 +141,31 @@ static int keep_clocks(struct ladder_rung *rung, const struct ladder_record *rec
     return 1;
 }
 
-static enum hobe_status run_rung(const struct ladder_options *options, const struct ladder *ladder,
+static enum hobe_status run_rung(const struct ladder_options *options, struct ladder *ladder,
                                  struct ladder_rung *rung, const char *what, struct hobe_error *err)
 {
     struct ladder_record record;
     struct hobe_text why = {0};
-    enum hobe_status status = run(options, what, rung->model, &record, &why, &rung->wasted, err);
-    const int done = !status && why.size == 0 && read_values(ladder, &record, rung->value, &why) &&
-                     keep_clocks(rung, &record, &why);
+    enum hobe_status status =
+        run(options, ladder, what, rung->model, &record, &why, &rung->wasted, err);
+    if (!status && why.size == 0)
+        status = read_values(ladder, &record, rung->value, &why, err);
+    const int done = !status && why.size == 0 && keep_clocks(rung, &record, &why);
     if (!status && !done && !(rung->why = ladder_copy(why.at ? why.at : "", err)))
         status = HOBE_NO_MEMORY;
     ladder_record_free(&record);
     hobe_text_free(&why);
     return status;
+}
+
+/* An error where no rung is left. */
+static enum hobe_status check_rungs(const struct ladder *ladder, struct hobe_error *err)
+{
+    for (int i = 0; i < ladder->rungs; i++)
+        if (!ladder->rung[i].why)
+            return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL, "all %d models fail, %s with: %s", ladder->rungs,
+                     ladder->rung[0].model, ladder->rung[0].why);
 }
 
 static enum hobe_status run_rounds(const struct ladder_options *options, struct ladder *ladder,
@@ -156,6 +181,7 @@ static enum hobe_status run_rounds(const struct ladder_options *options, struct 
         for (int i = 0; !status && i < ladder->rungs; i++)
             if (!ladder->rung[i].why)
                 status = run_rung(options, ladder, &ladder->rung[i], what, err);
+        status = status ? status : check_rungs(ladder, err);
     }
     return status;
 }
@@ -210,9 +236,11 @@ static enum hobe_status run_reference(const struct ladder_options *options,
     hobe_text_free(&words);
     if (!ladder->reference.model[k])
         return HOBE_NO_MEMORY;
-    status =
-        run(options, "reference:", ladder->reference.model[k], &run_record, &why, &seconds, err);
-    if (!status && (why.size > 0 || !read_values(ladder, &run_record, value, &why)))
+    status = run(options, ladder, "reference:", ladder->reference.model[k], &run_record, &why,
+                 &seconds, err);
+    if (!status && why.size == 0)
+        status = read_values(ladder, &run_record, value, &why, err);
+    if (!status && why.size > 0)
         status = hobe_fail(err, HOBE_BAD_INPUT, NULL, "the reference, %s, fails: %s",
                            ladder->reference.model[k], why.at ? why.at : "");
     ladder_record_free(&run_record);
@@ -243,18 +271,22 @@ static enum hobe_status converge(const struct ladder_options *options,
         ladder->reference.apart =
             fmax(ladder->reference.apart, difference(value[q], quantity->truth));
     }
+    ladder->doubt = fmax(ladder->doubt, ladder->reference.apart);
     hobe_free(value);
     return status;
 }
 
+/* The truth that is not given: what the case expects, else what a converged run finds. */
 static enum hobe_status find_truth(const struct ladder_options *options,
                                    const struct ladder_record *record, struct ladder *ladder,
                                    struct hobe_error *err)
 {
+    const struct ladder_line *doubt = ladder_find(record, "doubt", 2, 0);
     int unknown = 0;
+    ladder->doubt = doubt ? ladder_number(doubt->word[1]) : 0;
     for (int q = 0; q < ladder->quantities; q++) {
         struct ladder_quantity *quantity = &ladder->quantity[q];
-        if (isnan(quantity->truth) && options->expectations)
+        if (isnan(quantity->truth) && ladder->common.size == 0)
             quantity->truth = quantity->expect;
         unknown += isnan(quantity->truth);
     }
@@ -289,8 +321,9 @@ static void draw_front(struct ladder *ladder)
 {
     double best = INFINITY;
     for (int i = 0; i < ladder->rungs && !ladder->rung[i].why; i++) {
-        ladder->rung[i].front = ladder->rung[i].worst < best;
-        best = fmin(best, ladder->rung[i].worst);
+        const double error = fmax(ladder->rung[i].worst, ladder->doubt);
+        ladder->rung[i].front = error < best;
+        best = fmin(best, error);
     }
 }
 
@@ -300,8 +333,8 @@ enum hobe_status ladder_climb(const struct ladder_options *options, struct ladde
     struct ladder_record record;
     *ladder = (struct ladder){0};
     enum hobe_status status = ask(options, ladder, &record, err);
-    status = status ? status : find_truth(options, &record, ladder, err);
     status = status ? status : run_rounds(options, ladder, err);
+    status = status ? status : find_truth(options, &record, ladder, err);
     ladder_record_free(&record);
     if (options->progress)
         options->progress("", "");
@@ -331,6 +364,7 @@ void ladder_free(struct ladder *ladder)
     for (int k = 0; k < 2; k++)
         hobe_free(ladder->reference.model[k]);
     ladder_free_groups(ladder);
+    hobe_text_free(&ladder->common);
     hobe_free(ladder->quantity);
     hobe_free(ladder->rung);
     *ladder = (struct ladder){0};

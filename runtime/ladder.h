@@ -48,7 +48,7 @@ double ladder_number(const char *word);
 
 /* What errors are of. */
 struct ladder_quantity {
-    char *name, *unit;
+    char *name, *unit;    /* unit: NULL before a run has told it */
     double truth, expect; /* NaN where not known */
 };
 
@@ -75,6 +75,7 @@ enum {
 };
 
 struct ladder_rung {
+    int place;             /* in the ladder, from 0, before it is sorted */
     char *model;           /* "element=MGD30w elements=8" */
     char *kind;            /* value of its first axis, "MGD30w": what it is drawn as */
     char *why;             /* the sentence it failed with; NULL: it did not */
@@ -86,7 +87,8 @@ struct ladder_rung {
     double wasted; /* s, of a run that failed, from its start to its end */
     double unknowns;
     double bytes; /* of memory */
-    int front;    /* none is both faster and as right, or as fast and more right */
+    int front;    /* none is both faster and as right, or as fast and more right, as far as the
+                     truth is known */
 };
 
 /* The model that stands for the truth where the case knows none, on its two finest meshes. */
@@ -101,22 +103,28 @@ struct ladder {
     struct ladder_group *group;
     struct ladder_rung *rung; /* in the order of their cost, failures last, once climbed */
     struct ladder_reference reference;
+    double doubt;            /* of the truth, relative: errors below it say nothing */
+    struct hobe_text common; /* " P=10": words that all runs share, each after a blank */
 };
 
-/* Runs the case with the words of a model ("": none), apart by blanks.  A run that fails is no
+/* Runs the case with these words, apart by blanks ("": none); where it is asked alone what its
+ * ladder is, it may end with hobe.chart.  A run that fails is no
  * error: *why is its sentence then, of the caller's (hobe_text), and record empty; *seconds is how
  * long it took. */
-typedef enum hobe_status ladder_run(void *context, const char *model, struct ladder_record *record,
-                                    struct hobe_text *why, double *seconds, struct hobe_error *err);
+typedef enum hobe_status ladder_run(void *context, const char *words, int ask,
+                                    struct ladder_record *record, struct hobe_text *why,
+                                    double *seconds, struct hobe_error *err);
 
 struct ladder_options {
-    int given; /* axes that take the place of the case's own of the same name, or join them */
+    /* From the command line.  Axes take the place of the case's own of the same name, or join them;
+     * one of a single value that the case's ladder does not have is common to all runs, and what is
+     * expected of the case then no longer counts as true. */
+    int given;
     const struct ladder_axis *axis; /* [given] */
-    int expectations; /* parameters beyond the axes are at their defaults: `expect` holds */
-    int quick;        /* every other value of long axes of numbers, three rounds */
+    int quick;                      /* every other value of long axes of numbers, three rounds */
     ladder_run *run;
     void *context;
-    void (*progress)(const char *what, const char *model); /* says what is run now */
+    void (*progress)(const char *what, const char *words); /* says what is run now */
 };
 
 /* Asks the case for its ladder, runs all rungs in turn, round after round, at least three, and
@@ -136,9 +144,8 @@ void ladder_free_groups(struct ladder *ladder);
 
 /* ---- what is said of it (ladder_report.c) --------------------------------------------------- */
 
-/* How the case is called: "hobe run CASE" and the words that all models share. */
 struct ladder_case {
-    const char *title, *command;
+    const char *script, *machine; /* where times were measured */
 };
 
 enum ladder_format { LADDER_TABLE, LADDER_JSON, LADDER_CSV };

@@ -82,7 +82,9 @@ static enum hobe_status read_groups(const struct ladder_record *record, int quic
     while (ladder_find(record, "group", 1, most - 1))
         most++;
     ladder->group = hobe_alloc((size_t)most, sizeof *ladder->group, err);
-    enum hobe_status status = ladder->group ? HOBE_OK : HOBE_NO_MEMORY;
+    if (!ladder->group)
+        return HOBE_NO_MEMORY;
+    enum hobe_status status = HOBE_OK;
     for (int i = 0; !status && i < record->lines; i++) {
         const struct ladder_line *line = &record->line[i];
         ladder->groups += !strcmp(line->word[0], "group");
@@ -138,8 +140,11 @@ static enum hobe_status add_rung(const struct ladder_group *group, long number,
     say_model(group, number, &words);
     enum hobe_status status = hobe_text_check(&words, err);
     if (!status && !is_there(ladder, words.at)) {
-        struct ladder_rung *rung = &ladder->rung[ladder->rungs++];
-        const char *kind = strchr(words.at, '=') + 1;
+        static const char element[] = "element=";
+        struct ladder_rung *rung = &ladder->rung[ladder->rungs];
+        rung->place = ladder->rungs++;
+        const char *found = strstr(words.at, element);
+        const char *kind = found ? found + strlen(element) : strchr(words.at, '=') + 1;
         const size_t q = (size_t)ladder->quantities, size = strcspn(kind, " ");
         rung->model = ladder_copy(words.at, err);
         rung->kind = hobe_alloc(size + 1, 1, err);
@@ -173,19 +178,41 @@ static enum hobe_status add_rungs(const struct ladder_group *group, struct ladde
     return status;
 }
 
+static int has_axis(const struct ladder *ladder, const char *name)
+{
+    for (int g = 0; g < ladder->groups; g++)
+        for (int a = 0; a < ladder->group[g].axes; a++)
+            if (!strcmp(ladder->group[g].axis[a].name, name))
+                return 1;
+    return 0;
+}
+
+/* An axis from the command line: of every group, or common to all. */
+static enum hobe_status give_axis(const struct ladder_axis *axis, struct ladder *ladder,
+                                  struct hobe_error *err)
+{
+    enum hobe_status status = HOBE_OK;
+    if (axis->values == 1 && !has_axis(ladder, axis->name)) {
+        hobe_text_add(&ladder->common, " %s=%s", axis->name, axis->value[0]);
+        return hobe_text_check(&ladder->common, err);
+    }
+    for (int g = 0; !status && g < ladder->groups; g++)
+        status = set_axis(&ladder->group[g], axis->name, axis->values, axis->value, 1, err);
+    return status;
+}
+
 enum hobe_status ladder_make_rungs(const struct ladder_options *options,
                                    const struct ladder_record *record, struct ladder *ladder,
                                    struct hobe_error *err)
 {
     enum hobe_status status = read_groups(record, options->quick, ladder, err);
+    for (int i = 0; !status && i < options->given; i++)
+        status = give_axis(&options->axis[i], ladder, err);
     for (int g = 0; !status && g < ladder->groups; g++) {
         struct ladder_group *group = &ladder->group[g];
-        for (int i = 0; !status && i < options->given; i++)
-            status = set_axis(group, options->axis[i].name, options->axis[i].values,
-                              options->axis[i].value, 1, err);
         if (group->axes > 0)
             qsort(group->axis, (size_t)group->axes, sizeof *group->axis, by_name);
-        status = status ? status : add_rungs(group, ladder, err);
+        status = add_rungs(group, ladder, err);
     }
     if (!status && ladder->rungs == 0)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,

@@ -73,7 +73,8 @@ static void push_quantities(lua_State *L, const struct trials *t)
     if (status)
         hobe_lua_raise(L, &err);
     hobe_solution_info(*solution, &info);
-    context->factorisations += info.factorisations;
+    context->cost.solve += info.seconds;
+    context->cost.factorisations += info.factorisations;
     ask_beams(L, scene->model, *solution);
 }
 
@@ -166,9 +167,9 @@ static enum hobe_status run(void *context, const struct advise_model *model, dou
                             int *iterations, struct hobe_error *err)
 {
     struct trials *t = context;
-    const long before = hobe_lua_context(t->L)->factorisations;
+    const long before = hobe_lua_context(t->L)->cost.factorisations;
     const int status = call_trial(t, model, value);
-    *iterations = (int)fmax(1, (double)(hobe_lua_context(t->L)->factorisations - before));
+    *iterations = (int)fmax(1, (double)(hobe_lua_context(t->L)->cost.factorisations - before));
     if (status == LUA_OK)
         return HOBE_OK;
     const char *message = lua_tostring(t->L, -1);

@@ -297,6 +297,9 @@ static int solve_dynamic(lua_State *L)
     history->journal = NULL;
     if (status)
         hobe_lua_raise(L, &err);
+    struct hobe_history_info info;
+    hobe_history_info(history->history, &info);
+    context->cost.solve += info.seconds;
     if (context->program && context->folder)
         write_rows(context, history->history);
     hobe_lua_note_reduced(L, NAN);

@@ -124,6 +124,7 @@ static const struct hobe_lua_schema series_schema = {"series", series_keys};
 
 struct plot {
     const char *file, *title, *xlabel, *ylabel;
+    int xlog, ylog;
 };
 
 static const struct hobe_lua_key plot_keys[] = {
@@ -131,6 +132,8 @@ static const struct hobe_lua_key plot_keys[] = {
     KEY(struct plot, title, KEY_TEXT, .doc = "a line above the picture"),
     KEY(struct plot, xlabel, KEY_TEXT, .doc = "what the x axis shows"),
     KEY(struct plot, ylabel, KEY_TEXT, .doc = "what the y axis shows"),
+    KEY(struct plot, xlog, KEY_FLAG, .doc = "a logarithmic x axis, of numbers > 0"),
+    KEY(struct plot, ylog, KEY_FLAG, .doc = "a logarithmic y axis, of numbers > 0"),
     KEY_OF_LIST("series", REQUIRED, .group = &series_schema,
                 .doc = "a list of tables, one a curve"),
     {0}};
@@ -200,6 +203,18 @@ static const struct hobe_series *push_series(lua_State *L, size_t *count)
     return series;
 }
 
+/* A logarithmic axis has no place for numbers that are not positive. */
+static void check_positive(lua_State *L, size_t series, const char *key, size_t count,
+                           const double *value)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!(value[i] > 0))
+            hobe_lua_fail(L,
+                          "plot: series[%d].%s[%d] must be > 0 on a logarithmic axis (%slog), "
+                          "got %f",
+                          (int)series + 1, key, (int)i + 1, key, value[i]);
+}
+
 static const char *last_part(const char *name)
 {
     const char *slash = strrchr(name, '/');
@@ -214,8 +229,19 @@ static int make_plot(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &plot_schema, &read);
     hobe_lua_check_file(L, "plot", read.file, ".png");
-    plot = (struct hobe_plot){.title = read.title, .xlabel = read.xlabel, .ylabel = read.ylabel};
+    plot = (struct hobe_plot){.title = read.title,
+                              .xlabel = read.xlabel,
+                              .ylabel = read.ylabel,
+                              .log_x = read.xlog,
+                              .log_y = read.ylog};
     plot.series = push_series(L, &plot.count);
+    for (size_t i = 0; i < plot.count; i++) {
+        const struct hobe_series *series = plot.series + i;
+        if (read.xlog)
+            check_positive(L, i, "x", series->count, series->x);
+        if (read.ylog)
+            check_positive(L, i, "y", series->count, series->y);
+    }
     if (!hobe_lua_context(L)->folder)
         return 0;
     lua_pushlstring(L, read.file, strlen(read.file) - strlen(".png"));

@@ -18,6 +18,7 @@ static int free_context(lua_State *L)
     hobe_text_free(&context->tables);
     hobe_text_free(&context->newton);
     hobe_text_free(&context->motion);
+    hobe_text_free(&context->chart);
     hobe_lua_forget_files(context);
     return 0;
 }
@@ -312,6 +313,7 @@ const struct hobe_lua_chapter hobe_lua_chapters[] = {
     {"One element", hobe_lua_kernel_entries, 0},
     {"Methods of an element", hobe_lua_kernel_methods, 1},
     {"Reports", hobe_lua_report_entries, 0},
+    {"Charts of models", hobe_lua_chart_entries, 0},
     {"Tables and diagrams", hobe_lua_figure_entries, 0},
     {"Pictures", hobe_lua_picture_entries, 0},
     {"Files for ParaView", hobe_lua_vtk_entries, 0},

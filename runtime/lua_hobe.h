@@ -42,6 +42,7 @@ extern const struct hobe_lua_entry hobe_lua_modes_methods[];     /* lua_modal.c 
 extern const struct hobe_lua_entry hobe_lua_kernel_entries[];    /* lua_kernel.c */
 extern const struct hobe_lua_entry hobe_lua_kernel_methods[];    /* lua_kernel.c */
 extern const struct hobe_lua_entry hobe_lua_report_entries[];    /* lua_report.c */
+extern const struct hobe_lua_entry hobe_lua_chart_entries[];     /* lua_chart.c */
 extern const struct hobe_lua_entry hobe_lua_figure_entries[];    /* lua_figure.c */
 extern const struct hobe_lua_entry hobe_lua_picture_entries[];   /* lua_picture.c */
 extern const struct hobe_lua_entry hobe_lua_vtk_entries[];       /* lua_vtk.c */
@@ -77,27 +78,39 @@ struct hobe_lua_file {
     char name[];
 };
 
+struct advise_model; /* advise.h */
+
 /* One per Lua state, in its registry; freed with it. */
 struct hobe_lua {
-    int program;         /* in the hobe program results wait for the end of the run, so that a run
-                            that fails leaves none; in a stock Lua they appear at once */
-    int log;             /* print Newton's log on stderr */
-    int progress;        /* stderr is a terminal: show how far a solve is */
-    const char *folder;  /* for results, or NULL: no files; kept by the caller */
-    const char *script;  /* the case, or NULL in a stock Lua; kept by the caller */
-    int trusted;         /* the case may read any file */
-    int resume;          /* motions go on from their journals */
-    int solves;          /* calls of a solver verb so far */
-    long factorisations; /* in statics so far */
-    int trying;          /* models are being tried: nothing is noted */
-    int overridden;      /* some parameter is not at its default */
-    int called;          /* a function of the script is being called by the core */
-    int finishing;       /* the report's own files may be staged */
-    int opened;          /* calls of io.open so far */
-    size_t written;      /* bytes written to their files so far */
-    struct hobe_text tables; /* tables for stdout */
-    struct hobe_text newton; /* the log of all solves as CSV */
-    struct hobe_text motion; /* the balance of all motions as CSV */
+    int program;        /* in the hobe program results wait for the end of the run, so that a run
+                           that fails leaves none; in a stock Lua they appear at once */
+    int log;            /* print Newton's log on stderr */
+    int progress;       /* stderr is a terminal: show how far a solve is */
+    const char *folder; /* for results, or NULL: no files; kept by the caller */
+    const char *script; /* the case, or NULL in a stock Lua; kept by the caller */
+    int trusted;        /* the case may read any file */
+    int resume;         /* motions go on from their journals */
+    int solves;         /* calls of a solver verb so far */
+    const struct advise_model *model; /* in place of what the script says of its models, or NULL;
+                                         kept by the caller */
+    int trying;                       /* models are being tried: nothing is noted */
+    int overridden;                   /* some parameter is not at its default */
+    int called;                       /* a function of the script is being called by the core */
+    int finishing;                    /* the report's own files may be staged */
+    int opened;                       /* calls of io.open so far */
+    size_t written;                   /* bytes written to their files so far */
+    struct hobe_text tables;          /* tables for stdout */
+    struct hobe_text newton;          /* the log of all solves as CSV */
+    struct hobe_text motion;          /* the balance of all motions as CSV */
+    struct hobe_text chart;           /* what hobe.chart says, in lines of a record (ladder.h) */
+    int laddered;                     /* groups of models among them */
+    int ask;                          /* that is all: hobe.chart raises the context itself as an
+                                         error */
+    struct {                          /* what the scenes took so far */
+        double setup, solve;          /* s */
+        long unknowns;                /* of the largest */
+        long factorisations;          /* of statics and paths */
+    } cost;
     struct hobe_lua_file *file;
 };
 
@@ -191,11 +204,16 @@ int luaopen_hobe(lua_State *L);
 /* Raises when an override was never asked for by hobe.param. */
 void hobe_lua_check_overrides(lua_State *L);
 
-enum hobe_lua_format { HOBE_LUA_TABLE, HOBE_LUA_JSON, HOBE_LUA_CSV };
+/* How results are printed; a record is what a ladder reads (ladder.h). */
+enum hobe_lua_format { HOBE_LUA_TABLE, HOBE_LUA_JSON, HOBE_LUA_CSV, HOBE_LUA_RECORD };
 
 /* The end of a run: writes the files, then the report to `to`.  Returns 1, with a sentence on top
  * of the stack, when a value missed its expectation, else 0. */
 int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to);
+
+/* Appends the record of the run, with the values of its report (lua_chart.c). */
+void hobe_lua_add_record(lua_State *L, struct hobe_text *text, const struct hobe_value *value,
+                         size_t count);
 
 /* Writes the reference of the Lua module as Markdown (lua_docs.c). */
 void hobe_lua_print_docs(FILE *to);

@@ -113,7 +113,6 @@ int hobe_lua_body(lua_State *L);
 
 /* Pushes the scene of the list of items at the absolute index, its beams as a model has them, NULL:
  * as they are.  (lua_scene.c) */
-struct advise_model;
 struct hobe_lua_scene *hobe_lua_make_scene(lua_State *L, int items,
                                            const struct advise_model *model);
 
@@ -135,6 +134,9 @@ extern const struct hobe_lua_schema hobe_lua_projection_schema;
 const struct hobe_projection *hobe_lua_finish_projection(lua_State *L,
                                                          const struct hobe_lua_schema *schema,
                                                          struct hobe_projection *projection);
+
+/* Raises where the command line wants a linear model of a verb that has none. */
+void hobe_lua_check_linear(lua_State *L, const char *verb);
 
 /* The scene and the table of options of a verb, the schema's name: its first two arguments. */
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,

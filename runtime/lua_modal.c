@@ -297,6 +297,7 @@ static int find(lua_State *L, const struct hobe_lua_schema *schema, find_modes *
     const hobe_solution *state;
     struct hobe_error err;
     const struct hobe_modal_options options = read_options(L, schema, &state);
+    hobe_lua_check_linear(L, schema->name);
     struct modes *modes = lua_newuserdatauv(L, sizeof *modes, 1);
     *modes = (struct modes){NULL, scene->model};
     hobe_lua_set_type(L, HOBE_LUA_MODES, finalize, hobe_lua_modes_methods, get_field);
@@ -307,6 +308,9 @@ static int find(lua_State *L, const struct hobe_lua_schema *schema, find_modes *
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
+    struct hobe_modes_info info;
+    hobe_modes_info(modes->modes, &info);
+    hobe_lua_context(L)->cost.solve += info.seconds;
     hobe_lua_note_reduced(L, NAN);
     if (hobe_modes_note(modes->modes))
         hobe_lua_note(L, "%s", hobe_modes_note(modes->modes));

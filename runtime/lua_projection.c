@@ -30,8 +30,8 @@ static void read_training(lua_State *L, int list, struct hobe_projection *projec
         lua_newuserdatauv(L, (count > 0 ? count : 1) * sizeof(*snapshot), 0);
     for (size_t i = 0; i < count; i++) {
         lua_rawgeti(L, list, (lua_Integer)i + 1);
-        hobe_lua_read_value(L, -1, lua_pushfstring(L, "%s[%d]", what, (int)i + 1), &result,
-                            snapshot + i);
+        const char *which = lua_pushfstring(L, "%s[%d]", what, (int)i + 1);
+        hobe_lua_read_value(L, -2, which, &result, snapshot + i);
         lua_pop(L, 2);
     }
     projection->snapshot = snapshot;

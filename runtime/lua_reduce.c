@@ -172,6 +172,9 @@ static int reduce(lua_State *L)
     hobe_lua_resume_clock();
     if (status)
         hobe_lua_raise(L, &err);
+    struct hobe_reduced_info info;
+    hobe_reduced_info(r->reduced, &info);
+    hobe_lua_context(L)->cost.setup += info.seconds;
     return 1;
 }
 

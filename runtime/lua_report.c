@@ -260,6 +260,8 @@ int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to)
         hobe_report_json(text, value, count);
     else if (format == HOBE_LUA_CSV)
         hobe_report_csv(text, value, count);
+    else if (format == HOBE_LUA_RECORD)
+        hobe_lua_add_record(L, text, value, count);
     else if (count > 0)
         hobe_report_table(text, value, count, !context->overridden);
     if (format == HOBE_LUA_TABLE)

@@ -202,12 +202,16 @@ static void add_items(lua_State *L, int items, const struct advise_model *as, ho
 
 /* ---- scenes --------------------------------------------------------------------------------- */
 
-/* Tells Lua's collector what the model weighs, which it cannot see, so that a script that makes
- * many scenes has the old ones freed in time. */
+/* Counts what the model took, and tells Lua's collector what it weighs, which it cannot see, so
+ * that a script that makes many scenes has the old ones freed in time. */
 static void weigh(lua_State *L, const hobe_model *model)
 {
+    struct hobe_lua *context = hobe_lua_context(L);
     struct hobe_model_info info;
     hobe_model_info(model, &info);
+    context->cost.setup += info.setup;
+    if (info.unknowns > context->cost.unknowns)
+        context->cost.unknowns = info.unknowns;
     long kilobytes = (40 * info.nonzeros + 200 * info.vectors) / 1024;
     lua_gc(L, LUA_GCSTEP, kilobytes < 1000000 ? (int)kilobytes : 1000000);
 }
@@ -259,11 +263,13 @@ static int scene(lua_State *L)
     push_quantities(L);
     if (lua_getfield(L, 1, "accuracy") != LUA_TNIL) {
         hobe_lua_read_value(L, 4, "scene: accuracy", scene_keys, &accuracy);
-        hobe_lua_advise(L, 2, 3, accuracy);
+        if (!hobe_lua_context(L)->model) {
+            hobe_lua_advise(L, 2, 3, accuracy);
+            return 1;
+        }
     } else if (!lua_isnil(L, 3))
         hobe_lua_fail(L, "scene: quantities are those of accuracy, which is missing");
-    else
-        hobe_lua_make_scene(L, 2, NULL);
+    hobe_lua_make_scene(L, 2, hobe_lua_context(L)->model);
     return 1;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Solver verbs and their results. */
 #define _GNU_SOURCE
+#include "advise.h"
 #include "lua_item.h"
 
 #include <math.h>
@@ -97,14 +98,16 @@ static const struct hobe_lua_field fields[] = {
         "round-off leaves open is less"),
     SOLVED("load", solution.load, 'd', NULL, "load factor: 1, but for points of a path"),
     SOLVED("negative", solution.negative, 'i', NULL,
-           "negative eigenvalues of the tangent stiffness at a point of a path, 0 where it is "
-           "stable, as it may be with some where the scene spins (hobe.modal tells); -1: not "
-           "counted"),
+           "negative eigenvalues of the tangent stiffness, 0 where the equilibrium is stable, as a "
+           "point of a path may be with some where the scene spins (hobe.modal tells); -1: not "
+           "counted, as by hobe.static then, and with follower forces.  hobe.static warns where "
+           "there are any"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
     SOLVED("indicator", solution.indicator, 'd', NULL,
-           "of a reduced model: what the displacements may lack of those of the whole scene, "
+           "of a reduced model and of a projection: what the displacements may lack of those of "
+           "the whole scene, "
            "relative to their size; 0 of whole ones; not a number where it was not asked"),
     SOLVED("time", solution.time, 'd', "s", "of a state of a motion, and of functions of time"),
     SOLVED("unknowns", model.unknowns, 'l', NULL, "scalar unknowns"),
@@ -463,7 +466,7 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      "stretch and bending.  It sees coarse meshes and elements that lock, not what loads do that "
      "act inside elements at one place; 0 of 3333s and of sections that vary.  `hobe.static` and, "
      "at its end, `hobe.path` "
-     "warn where it is 0.05 or more.",
+     "warn where it is 0.01 or more.",
      NULL, NULL},
     {"reaction", reaction, "r:reaction(name)",
      "What the clamp or support called `name` does to its beam, a joint to its second beam: "
@@ -496,6 +499,22 @@ static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const
     hobe_lua_warn(L, lua_pushfstring(L, "%s%s", text, when));
     lua_pop(L, 1);
     return warning;
+}
+
+/* Warns of an equilibrium that a scene free to move would leave. */
+static void warn_unstable(lua_State *L, const hobe_solution *solution)
+{
+    struct hobe_solution_info info;
+    char text[300];
+    hobe_solution_info(solution, &info);
+    if (info.negative <= 0)
+        return;
+    snprintf(text, sizeof text,
+             "the equilibrium is unstable: its tangent stiffness has %d negative eigenvalue%s, so "
+             "that there is a critical load below this one; look for it with hobe.buckling or "
+             "hobe.path, and disturb the scene a little to find where it goes",
+             info.negative, info.negative > 1 ? "s" : "");
+    hobe_lua_warn(L, text);
 }
 
 /* Warns of each beam whose mesh is too coarse. */
@@ -544,6 +563,13 @@ hobe_solution **hobe_lua_new_result(lua_State *L, int scene)
     return &result->solution;
 }
 
+void hobe_lua_check_linear(lua_State *L, const char *verb)
+{
+    const struct advise_model *model = hobe_lua_context(L)->model;
+    if (model && model->linear && strcmp(verb, "static"))
+        hobe_lua_fail(L, "%s: a linear model is one of hobe.static alone", verb);
+}
+
 struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_schema *schema,
                                           void *options, size_t size)
 {
@@ -557,6 +583,7 @@ struct hobe_lua_scene *hobe_lua_read_verb(lua_State *L, const struct hobe_lua_sc
     }
     memset(options, 0, size);
     hobe_lua_read(L, 2, schema, options);
+    hobe_lua_check_linear(L, schema->name);
     return scene;
 }
 
@@ -633,8 +660,10 @@ static int solve_static(lua_State *L)
     struct hobe_lua_scene *scene = hobe_lua_read_verb(L, &static_schema, &options, sizeof options);
     struct watch watch;
     struct hobe_error err;
+    const struct advise_model *model = hobe_lua_context(L)->model;
     options.newton.no_line_search = !options.line_search;
     options.newton.projection = hobe_lua_finish_projection(L, &static_schema, &options.projection);
+    options.newton.linear |= model && model->linear;
     hobe_solution **solution = hobe_lua_new_result(L, 1);
     options.newton.log = watch_iteration;
     options.newton.context = &watch;
@@ -646,13 +675,15 @@ static int solve_static(lua_State *L)
     if (status)
         hobe_lua_raise(L, &err);
     const struct hobe_solution_info info = info_of(*solution);
-    hobe_lua_context(L)->factorisations += info.factorisations;
+    hobe_lua_context(L)->cost.factorisations += info.factorisations;
+    hobe_lua_context(L)->cost.solve += info.seconds;
     note_change(L, info.change);
     hobe_lua_note_reduced(L, info.indicator);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
     warn_mesh(L, *solution, scene->model);
+    warn_unstable(L, *solution);
     return 1;
 }
 
@@ -749,6 +780,8 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
     double change = 0, indicator = NAN;
     const hobe_solution *last = NULL;
     hobe_path_info(path, &info);
+    hobe_lua_context(L)->cost.solve += info.seconds;
+    hobe_lua_context(L)->cost.factorisations += info.factorisations;
     lua_createtable(L, info.points, 6);
     for (int i = 0; i < info.points; i++) {
         hobe_solution **point = hobe_lua_new_result(L, 1);

@@ -27,6 +27,14 @@ static const char usage[] =
     "      --time-limit S               processor time that the script may spend in Lua (10)\n"
     "      --memory-limit MB            memory that the script may use in Lua (512)\n"
     "      --trust                      no sandbox, no limits: for scripts of your own\n"
+    "      --model=ELEMENT:ELEMENTS     the same element and mesh for all scenes (and :linear)\n"
+    "  hobe advise CASE [name=value ...] the cheapest model that holds an accuracy\n"
+    "      --accuracy A                 largest relative error of a value of the report (1e-3)\n"
+    "  hobe chart CASE [name=value,...] run a ladder of models of a case: error against time\n"
+    "      --quick                      fewer meshes, three rounds\n"
+    "      --limit S                    processor time of a run (60)\n"
+    "      --out DIR                    write chart.csv, chart.json and the picture to a folder\n"
+    "      --format table|json|csv      how results are printed (table)\n"
     "  hobe elements                    list the elements built in\n"
     "      --explain NAME               one of them in detail\n"
     "  hobe bench                       time elements and scenes beside the machine's peak\n"
@@ -82,16 +90,6 @@ static void complain_error_value(const char *script, const char *type)
 
 /* ---- hobe run ------------------------------------------------------------------------------- */
 
-struct run {
-    const char *script, *folder;
-    enum hobe_lua_format format;
-    int log, trust, resume;
-    double seconds, megabytes; /* < 0: not given; 0: no limit */
-    int overrides;
-    char **override; /* [overrides] "name=value" */
-    FILE *to;        /* standard output; file descriptor 1 leads to standard error meanwhile */
-};
-
 static void set_context(lua_State *L, const struct run *run)
 {
     struct hobe_lua *context = hobe_lua_context(L);
@@ -100,8 +98,11 @@ static void set_context(lua_State *L, const struct run *run)
     context->script = run->script;
     context->trusted = run->trust;
     context->resume = run->resume;
+    context->ask = run->ask;
     context->log = run->log;
     context->progress = isatty(STDERR_FILENO);
+    context->model = run->model;
+    context->overridden = run->model != NULL;
     hobe_lua_push_store(L, HOBE_LUA_OVERRIDES);
     for (int i = 0; i < run->overrides; i++) {
         const char *equals = strchr(run->override[i], '=');
@@ -131,16 +132,37 @@ static int run_protected(lua_State *L)
             lua_pushfstring(L, "%s: this is compiled Lua; a case must be source", run->script);
         return lua_error(L);
     }
-    lua_call(L, 0, 0);
+    if (lua_pcall(L, 0, 0, 0) && lua_touserdata(L, -1) != hobe_lua_context(L))
+        return lua_error(L);
     hobe_lua_check_memory();
     hobe_lua_pause_clock(); /* for good: the rest is not the script's */
-    hobe_lua_check_overrides(L);
+    if (!run->ask)          /* else not all parameters may have been reached */
+        hobe_lua_check_overrides(L);
     return hobe_lua_finish(L, run->format, run->to);
 }
 
-/* Runs the script; returns the exit status. */
-static int run_script(struct run *run)
+/* Takes the last word "--model=..." out of the overrides, as its model. */
+static enum hobe_status read_model(struct run *run, struct advise_model *model,
+                                   struct hobe_error *err)
 {
+    static const char option[] = "--model=";
+    enum hobe_status status = HOBE_OK;
+    int kept = 0;
+    for (int i = 0; i < run->overrides; i++)
+        if (strncmp(run->override[i], option, strlen(option)))
+            run->override[kept++] = run->override[i];
+        else if (!(status = advise_read_model(run->override[i] + strlen(option), model, err)))
+            run->model = model;
+    run->overrides = kept;
+    return status;
+}
+
+int run_script(struct run *run)
+{
+    struct hobe_error err;
+    struct advise_model model;
+    if (read_model(run, &model, &err))
+        return complain(err.message, 1);
     lua_State *L = hobe_lua_new_state(run->script, (size_t)(run->megabytes * 1048576));
     if (!L)
         return complain("out of memory", 1);
@@ -177,9 +199,9 @@ static int start(struct run *run)
 {
     struct hobe_error err;
     if (run->seconds < 0)
-        run->seconds = run->trust ? 0 : 10;
+        run->seconds = run->trust ? 0 : RUN_SECONDS;
     if (run->megabytes < 0)
-        run->megabytes = run->trust ? 0 : 512;
+        run->megabytes = run->trust ? 0 : RUN_MEGABYTES;
     if (run->folder && hobe_make_folder(run->folder, &err))
         return complain(err.message, 1);
     if (run->folder && access(run->folder, W_OK | X_OK))
@@ -256,6 +278,8 @@ static int read_argument(struct run *run, char **argv, int *i)
         run->trust = 1;
     else if (!strcmp(argv[*i], "--resume"))
         run->resume = 1;
+    else if (!strncmp(argv[*i], "--model=", 8))
+        return read_override(run, argv[*i]);
     else if (*argv[*i] == '-')
         return complain_usage("unknown option or missing value: %.100s (see hobe help)", argv[*i]);
     else if (strchr(argv[*i], '='))
@@ -432,6 +456,10 @@ int main(int argc, char **argv)
         return command_run(argc, argv);
     if (!strcmp(command, "elements"))
         return command_elements(argc, argv);
+    if (!strcmp(command, "advise"))
+        return command_advise(argc, argv);
+    if (!strcmp(command, "chart"))
+        return command_chart(argc, argv);
     if (!strcmp(command, "bench"))
         return command_bench(argc, argv);
     if (!strcmp(command, "docs"))

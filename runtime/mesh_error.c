@@ -10,8 +10,12 @@
  * The energy of the difference bounds that of the error (Prager & Synge, Quart. Appl. Math. 5,
  * 1947; Ladeveze's error in the constitutive relation).  It sees what a coarse mesh misses of
  * bending, and membrane locking: an element whose axis cannot follow a bent arc makes up for that
- * by stretch, which in a slender beam is so much stiffer that it then hardly bends.  Shear,
- * torsion and the strain of the section are left out, so that it is a little low. */
+ * by stretch, which in a slender beam is so much stiffer that it then hardly bends.  Where both
+ * slopes turn along an element, in torsion, they are shorter in between, since they are
+ * interpolated: that goes with N.  Of both the mean over an element is left out: Poisson's ratio
+ * makes one where something presses on the section, as its own spin does, and even twist another; a
+ * coarse mesh makes none.  Shear and the rest of torsion are left out, too, so that the estimate is
+ * low. */
 #include "around.h"
 #include "assemble.h"
 #include "element.h"
@@ -22,8 +26,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Less is what a coarse mesh may well cost. */
-static const double NOTICEABLE = 0.05;
+/* Less is what a coarse mesh may well cost.  Twist can be wrong by ten times as much, where far
+ * twisted bars get stiffer with the third power of it. */
+static const double NOTICEABLE = 0.01;
 
 /* p = r', the section's slopes d_y, d_z, and their derivatives along the axis, of some field. */
 struct directors {
@@ -55,9 +60,11 @@ static double change(const double a[3], const double da[3], const double b[3], c
     return dot3(a, db) + dot3(da, b) + dot3(da, db);
 }
 
-/* Force and moment in a section: N, M_y, and M_z about -z, conjugate to the strains. */
+/* In a section: N, M_y, and M_z about -z, conjugate to the strains; and sqrt(2) EA times what both
+ * slopes stretch by, the lesser of d_y.d_y/2 and d_z.d_z/2. */
+enum { AXIAL, SLOPES, EVEN };
 struct inner {
-    double N, M[2];
+    double N[EVEN], M[2];
 };
 
 /* Those of the strains: mean(e_xx) has the turn of the section's slopes, too. */
@@ -66,12 +73,14 @@ static struct inner of_strains(const struct directors *R, const struct directors
 {
     const double kappa_z = change(R->p, u->p, R->d_x[0], u->d_x[0]);
     const double kappa_y = change(R->p, u->p, R->d_x[1], u->d_x[1]);
+    const double y = change(R->d[0], u->d[0], R->d[0], u->d[0]) / 2;
+    const double z = change(R->d[1], u->d[1], R->d[1], u->d[1]) / 2;
+    const double turned = k->EIzz * change(R->d_x[0], u->d_x[0], R->d_x[0], u->d_x[0]) +
+                          k->EIyy * change(R->d_x[1], u->d_x[1], R->d_x[1], u->d_x[1]);
     return (struct inner){
-        .N = (k->EA * change(R->p, u->p, R->p, u->p) +
-              k->EIzz * change(R->d_x[0], u->d_x[0], R->d_x[0], u->d_x[0]) +
-              k->EIyy * change(R->d_x[1], u->d_x[1], R->d_x[1], u->d_x[1])) /
-                 2 +
-             k->EIyz * change(R->d_x[0], u->d_x[0], R->d_x[1], u->d_x[1]),
+        .N = {(k->EA * change(R->p, u->p, R->p, u->p) + turned) / 2 +
+                  k->EIyz * change(R->d_x[0], u->d_x[0], R->d_x[1], u->d_x[1]),
+              y * z > 0 ? M_SQRT2 * k->EA * copysign(fmin(fabs(y), fabs(z)), y) : 0},
         .M = {k->EIyy * kappa_y + k->EIyz * kappa_z, k->EIyz * kappa_y + k->EIzz * kappa_z},
     };
 }
@@ -137,7 +146,7 @@ static struct inner of_cuts(const struct around *at, const struct cut cut[2],
         add_scaled(moment, share[i], cut[i].moment);
         add_scaled(moment, share[i], couple);
     }
-    return (struct inner){.N = dot3(force, now->p) / dot3(now->p, now->p),
+    return (struct inner){.N = {dot3(force, now->p) / dot3(now->p, now->p)},
                           .M = {dot3(moment, now->d[0]), -dot3(moment, now->d[1])}};
 }
 
@@ -152,21 +161,19 @@ static struct inner difference(const struct around *at, const struct cut cut[2],
     add_directors(at, at->u, &now);
     const struct inner balanced = of_cuts(at, cut, &now);
     struct inner left = of_strains(&R, &u, k);
-    left.N -= balanced.N;
+    left.N[AXIAL] -= balanced.N[AXIAL];
     for (int i = 0; i < 2; i++)
         left.M[i] -= balanced.M[i];
     return left;
 }
 
-/* Adds the energy of the difference in an element, J.  The mean of that of N is left out: Poisson's
- * ratio makes one where something presses on the section, as its own spin does; locking makes
- * none. */
+/* Adds the energy of the difference in an element, J. */
 static enum hobe_status add_element(const hobe_solution *solution, const struct beam *beam, int e,
                                     double *energy, struct hobe_error *err)
 {
     const hobe_element *law = beam_law(beam, e);
     const struct hobe_invariants *inv = hobe_element_invariants(law);
-    double f[3 * HOBE_MAX_VECTORS], N = 0, NN = 0;
+    double f[3 * HOBE_MAX_VECTORS], N[EVEN] = {0}, NN = 0;
     struct stiffnesses k;
     struct cut cut[2];
     struct around at;
@@ -182,11 +189,15 @@ static enum hobe_status add_element(const hobe_solution *solution, const struct 
     for (int g = 0; g < inv->stations; g++) {
         around_look(solution->model, solution->u, (struct place){beam, e, inv->xi[g]}, &at);
         const struct inner left = difference(&at, (const struct cut *)cut, &k);
-        N += inv->wx[g] * left.N;
-        NN += inv->wx[g] * left.N * left.N;
+        for (int i = 0; i < EVEN; i++) {
+            N[i] += inv->wx[g] * left.N[i];
+            NN += inv->wx[g] * left.N[i] * left.N[i];
+        }
         *energy += inv->wx[g] * bending_energy(left.M, &k);
     }
-    *energy += fmax(NN - N * N / inv->length, 0) / k.EA / 2;
+    for (int i = 0; i < EVEN; i++)
+        NN -= N[i] * N[i] / inv->length;
+    *energy += fmax(NN, 0) / k.EA / 2;
     return HOBE_OK;
 }
 
@@ -216,10 +227,11 @@ enum hobe_status hobe_solution_mesh_warning(const hobe_solution *solution, const
     const enum hobe_status status = hobe_solution_mesh_error(solution, name, &share, err);
     snprintf(text, size, "%s", "");
     if (!status && share >= NOTICEABLE)
-        snprintf(text, size,
-                 "beam %s: its mesh misses about %.2g %% of its compliance: its elements cannot "
-                 "follow how it "
-                 "bends; use more of them, or such as have a cubic axis, or 3333s",
-                 name, 100 * share);
+        snprintf(
+            text, size,
+            "beam %s: its mesh misses about %.2g %% of its compliance, or in torsion more: its "
+            "elements cannot follow how it bends and turns; use more of them, or such of "
+            "higher order",
+            name, 100 * share);
     return status;
 }

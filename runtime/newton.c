@@ -15,6 +15,7 @@
 #include "snapshot_modes.h"
 #include "solution.h"
 #include "spring.h"
+#include "trust.h"
 
 #include <float.h>
 #include <math.h>
@@ -245,6 +246,16 @@ static void search_line(struct solver *s, double factor)
     s->now.line = taken;
 }
 
+/* What rounding may leave of the residual; of a reduced one the energy's large terms that cancel
+ * round more than the state. */
+static double round_off(struct solver *s)
+{
+    if (!s->model->reduction)
+        return ROUND_OFF * solver_norm(s, s->u, -1);
+    reduction_round_off(s->model, s->u, s->step); /* which the next tangent sets anew */
+    return solver_norm(s, s->step, 1);
+}
+
 enum outcome solver_judge(struct solver *s, double norm, double last_norm)
 {
     s->now.residual = s->info.residual = norm / s->load_norm;
@@ -256,7 +267,7 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
         solver_log(s, "diverged");
         return FAILED;
     }
-    if (norm > 0.5 * last_norm && norm <= ROUND_OFF * solver_norm(s, s->u, -1)) {
+    if (norm > 0.5 * last_norm && norm <= round_off(s)) {
         solver_log(s, "converged to round-off");
         return CONVERGED;
     }
@@ -427,13 +438,12 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 
 /* ---- a start from another solution ----------------------------------------------------------- */
 
-/* Whether the states of both models have the same unknowns. */
-static int same_shape(const hobe_model *a, const hobe_solution *start)
+/* Whether the start is a state of the model or of one with the same unknowns. */
+static int fits(const hobe_model *model, const hobe_solution *start)
 {
-    const hobe_model *b = start->model;
-    if (a->reduction)
-        return start->reduced == a->reduction->of && start->coordinates == a->vectors;
-    return model_same_shape(a, b);
+    const struct reduction *reduction = model->reduction;
+    return reduction ? start->reduced == reduction->of && start->coordinates == model->vectors
+                     : model_same_shape(model, start->model);
 }
 
 /* Newton at the full load from the start that is given, in one step; FAILED leaves the reference.
@@ -442,7 +452,7 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
 {
     const hobe_solution *start = s->options.start;
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
-    if (!same_shape(s->model, start)) {
+    if (!fits(s->model, start)) {
         hobe_fail(err, HOBE_BAD_INPUT, NULL,
                   "start must be a result of this scene or of one of the same shape (the same "
                   "elements, joins and supports in the same order): it has %ld unknowns, here are "
@@ -549,6 +559,9 @@ enum hobe_status solver_open(struct solver *s, hobe_model *model, const struct h
     s->info.indicator = model->reduction ? NAN : 0;
     set_defaults(&s->options);
     s->motion.instant.time = s->info.time = options->time;
+    if (options->projection && model->reduction)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a projection is for whole scenes, not for reduced models");
     const enum hobe_status status = allocate(s, err);
     if (status)
         return status;
@@ -562,7 +575,31 @@ hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *
     s->info.seconds = hobe_seconds() - started;
     s->info.projected = s->space.count;
     s->info.outside = s->space.count > 0 ? whole_norm(s, s->r, 1) / s->load_norm : 0;
-    return solution_new(s->model, s->u, NULL, NULL, &s->info, err);
+    hobe_solution *taken = solution_new(s->model, s->u, NULL, NULL, &s->info, err);
+    const int few = s->model->reduction || s->space.count > 0;
+    double size = 0;
+    if (taken && few && trust_ask((hobe_model *)model_whole(s->model), taken, &size, err)) {
+        hobe_solution_free(taken);
+        return NULL;
+    }
+    return taken;
+}
+
+/* A reduced model keeps to the accuracy it was asked for, or says that it does not. */
+static enum hobe_status check_trust(const hobe_model *model, hobe_solution **solution,
+                                    struct hobe_error *err)
+{
+    const double accuracy = model->reduction ? model->reduction->of->info.accuracy : 0;
+    const double indicator = (*solution)->info.indicator;
+    if (!(accuracy > 0) || indicator <= accuracy)
+        return HOBE_OK;
+    hobe_solution_free(*solution);
+    *solution = NULL;
+    return hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
+                     "the reduced model may lack %.2g of the displacements under these loads, more "
+                     "than its accuracy %.2g; reduce the scene with these among its loads, or "
+                     "solve the whole one",
+                     indicator, accuracy);
 }
 
 /* The end of the path to the full load. */
@@ -577,9 +614,11 @@ static enum hobe_status follow_series(hobe_model *model, const struct hobe_newto
     if (status)
         return status;
     hobe_path_info(path, &info);
-    if (info.end == HOBE_PATH_LOAD)
+    if (info.end == HOBE_PATH_LOAD) {
         *solution = hobe_path_take(path, info.points - 1);
-    else
+        if (model->spun)
+            (*solution)->info.negative = -1;
+    } else
         status = hobe_fail(err, HOBE_NOT_CONVERGED, NULL,
                            "the path to the full load does not come to it in %d series; look where "
                            "it goes with hobe.path",
@@ -619,6 +658,27 @@ static enum hobe_status find(struct solver *s, struct hobe_error *err)
     return outcome == CONVERGED ? HOBE_OK : run_steps(s, err);
 }
 
+/* Counts the negative eigenvalues at the equilibrium: of the factors of the last iteration, which
+ * are there, and where those have any of the tangent itself.  A scene that spins may be stable with
+ * some, and follower forces have no symmetric tangent: not counted. */
+static enum hobe_status count_negative(struct solver *s, struct hobe_error *err)
+{
+    long negative = 1;
+    if (s->K.layout != FRONTS || s->model->spun || load_follower(s->model))
+        return HOBE_OK;
+    if (s->info.factorisations > 0 && s->factored == FRONTS && solver_negative(s, &negative, err))
+        return err ? err->status : HOBE_NO_MEMORY;
+    if (negative != 0) {
+        negative = -1;
+        solver_evaluate(s, 1, TRUE_TANGENT);
+        const enum outcome outcome = solver_factor(s, err);
+        if (outcome == ERROR || (outcome == CONVERGED && solver_negative(s, &negative, err)))
+            return err ? err->status : HOBE_NO_MEMORY;
+    }
+    s->info.negative = (int)negative;
+    return HOBE_OK;
+}
+
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err)
 {
@@ -634,14 +694,18 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
     const int loaded = !status && s.load_norm > 0;
     if (loaded && options->method == HOBE_METHOD_SERIES && !options->linear)
         status = follow_series(model, &s.options, solution, err);
-    else if (loaded)
+    else if (loaded) {
         status = find(&s, err);
-    else
+        if (!status)
+            status = count_negative(&s, err);
+    } else
         s.info.load = s.info.smallest_volume = 1; /* no load: the reference is the answer */
     if (!status && !*solution) {
         *solution = solver_take(&s, started, err);
         status = *solution ? HOBE_OK : HOBE_NO_MEMORY;
     }
+    if (!status)
+        status = check_trust(model, solution, err);
     solver_close(&s);
     return status;
 }

@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Beams in the order added, then bodies, then a block of multipliers for every join, two for every
  * body and three for every joint: more than enough. */
@@ -135,6 +136,25 @@ int node_at(const struct beam *beam, double at, int *element)
     return -1;
 }
 
+/* Such a clamp holds slopes of the axis; of an outline that cubic modes curve, those are not the
+ * mean. */
+static enum hobe_status note_free_clamp(hobe_model *model, const struct beam *beam,
+                                        struct hobe_error *err)
+{
+    char text[500];
+    int cubic = 0;
+    for (int m = 0; m < beam->kernel->modes; m++)
+        cubic |= !strcmp(beam->kernel->mode[m], "yyy") || !strcmp(beam->kernel->mode[m], "zzz");
+    if (!cubic)
+        return HOBE_OK;
+    snprintf(
+        text, sizeof text,
+        "beam \"%.200s\": a clamp with warping = \"free\" holds the slopes y and z on the axis, "
+        "from which the cubic modes of %.99s let the outline turn away: too soft near the clamp",
+        beam->name, beam->kernel->name);
+    return model_add_note(model, text, err);
+}
+
 static enum hobe_status hold_clamps(hobe_model *model, struct hobe_error *err)
 {
     for (size_t i = 0; i < model->clamps.count; i++) {
@@ -155,6 +175,8 @@ static enum hobe_status hold_clamps(hobe_model *model, struct hobe_error *err)
             if (is->node == node && (!c->free_warping || (is->mode <= 2 && !is->slope)))
                 model->held[model_vector(model, beam, e, v)] = 1;
         }
+        if (c->free_warping && note_free_clamp(model, beam, err))
+            return HOBE_NO_MEMORY;
     }
     return HOBE_OK;
 }

@@ -230,6 +230,16 @@ enum hobe_status hobe_write_file(const char *folder, const char *name, const cha
     return status;
 }
 
+enum hobe_status hobe_write_text(const char *folder, const char *name, struct hobe_text *text,
+                                 struct hobe_error *err)
+{
+    enum hobe_status status = hobe_text_check(text, err);
+    if (!status)
+        status = hobe_write_file(folder, name, text->at, text->size, err);
+    hobe_text_free(text);
+    return status;
+}
+
 int hobe_open_file(const char *folder, const char *name, struct hobe_error *err)
 {
     const char *base;

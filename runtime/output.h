@@ -52,6 +52,10 @@ enum hobe_status hobe_check_name(const char *name, struct hobe_error *err);
 enum hobe_status hobe_write_file(const char *folder, const char *name, const char *data,
                                  size_t size, struct hobe_error *err);
 
+/* The same of a text, which is freed in any case. */
+enum hobe_status hobe_write_text(const char *folder, const char *name, struct hobe_text *text,
+                                 struct hobe_error *err);
+
 /* Opens the regular file folder/name for reading, following no symbolic link below `folder`.
  * Returns a file descriptor that the caller closes, or -1 with err set. */
 int hobe_open_file(const char *folder, const char *name, struct hobe_error *err);
@@ -111,7 +115,12 @@ void hobe_table_json(struct hobe_text *text, const struct hobe_table *table);
 
 /* ---- pictures (output_plot.c) --------------------------------------------------------------- */
 
-enum hobe_style { HOBE_STYLE_LINE, HOBE_STYLE_POINTS, HOBE_STYLE_LINESPOINTS };
+enum hobe_style {
+    HOBE_STYLE_LINE,
+    HOBE_STYLE_POINTS,
+    HOBE_STYLE_LINESPOINTS,
+    HOBE_STYLE_CROSSES /* points that are out of the picture's range */
+};
 
 struct hobe_series {
     const char *label; /* may be NULL: not in the legend */
@@ -141,5 +150,9 @@ void hobe_plot_script(struct hobe_text *text, const struct hobe_plot *plot, cons
  * an error, where gnuplot is not installed.  HOBE_IO with gnuplot's first words otherwise. */
 enum hobe_status hobe_plot_draw(const char *folder, const char *script, const char *image,
                                 int *drawn, struct hobe_error *err);
+
+/* All three: NAME.data.csv, NAME.gp and, where gnuplot is there, NAME.png into the folder. */
+enum hobe_status hobe_plot_write(const char *folder, const char *name, const struct hobe_plot *plot,
+                                 int *drawn, struct hobe_error *err);
 
 #endif

@@ -119,8 +119,11 @@ static void add_logarithm(struct hobe_text *text, char axis, const double extent
 {
     const int first = (int)floor(extent_of[0]), last = (int)ceil(extent_of[1]);
     hobe_text_add(text, "set logscale %c\n", axis);
-    if (last - first > 2)
+    if (last - first > 2) {
+        if (last - first > 5) /* decimals would be all noughts */
+            hobe_text_add(text, "set format %c '%%g'\n", axis);
         return;
+    }
     hobe_text_add(text, "set %ctics (", axis);
     for (int k = first; k <= last; k++)
         hobe_text_add(text, "%s1e%d, 2e%d, 5e%d", k > first ? ", " : "", k, k, k);
@@ -141,7 +144,7 @@ static void add_series(struct hobe_text *text, const struct hobe_plot *plot, siz
                        const char *data)
 {
     static const char *const style[] = {"lines lw 2", "points ps 1.3 lw 1.5",
-                                        "linespoints lw 2 ps 1.2"};
+                                        "linespoints lw 2 ps 1.2", "points ps 1.3 lw 2.5"};
     static const int point[] = {6, 4, 8, 12, 10, 7, 5, 9}; /* open and filled, distinct */
     const struct hobe_series *series = &plot->series[k];
     int index = series->colour < 0 ? (int)k + 1 : series->colour;
@@ -150,7 +153,7 @@ static void add_series(struct hobe_text *text, const struct hobe_plot *plot, siz
     hobe_text_add(text, " skip 1 using %zu:%zu with %s ", 2 * k + 1, 2 * k + 2,
                   style[series->style]);
     if (series->style != HOBE_STYLE_LINE)
-        hobe_text_add(text, "pt %d ", point[index % 8]);
+        hobe_text_add(text, "pt %d ", series->style == HOBE_STYLE_CROSSES ? 2 : point[index % 8]);
     hobe_text_add(text, "lc rgb '%s' ", colour(index));
     if (!series->label || !*series->label) {
         hobe_text_add(text, "notitle");
@@ -280,4 +283,21 @@ enum hobe_status hobe_plot_draw(const char *folder, const char *script, const ch
                      cause > 0 ? strerror(cause)
                      : *line   ? line
                                : "gnuplot failed");
+}
+
+enum hobe_status hobe_plot_write(const char *folder, const char *name, const struct hobe_plot *plot,
+                                 int *drawn, struct hobe_error *err)
+{
+    char data[80], script[80], image[80];
+    struct hobe_text text = {0};
+    snprintf(data, sizeof data, "%s.data.csv", name);
+    snprintf(script, sizeof script, "%s.gp", name);
+    snprintf(image, sizeof image, "%s.png", name);
+    hobe_plot_data(&text, plot);
+    enum hobe_status status = hobe_write_text(folder, data, &text, err);
+    if (!status) {
+        hobe_plot_script(&text, plot, data, image);
+        status = hobe_write_text(folder, script, &text, err);
+    }
+    return status ? status : hobe_plot_draw(folder, script, image, drawn, err);
 }

@@ -288,10 +288,9 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
     return model->fronts ? map_blocks(model, FRONTS, err) : HOBE_NO_MEMORY;
 }
 
-/* touched[vectors]: what is */
-static void mark(const struct hobe_model *model, unsigned char *touched)
+void pattern_mark(const struct hobe_model *model, int changing, unsigned char *touched)
 {
-    load_touch(model, 1, touched);
+    load_touch(model, changing, touched);
     for (size_t i = 0; i < couplings(model); i++)
         for (int v = 0; v < coupling(model, i)->vectors; v++)
             touched[coupling(model, i)->vector[v]] = 1;
@@ -308,7 +307,7 @@ enum hobe_status pattern_touch(struct hobe_model *model, struct hobe_error *err)
     t->vector = touched ? hobe_alloc((size_t)model->unknowns, sizeof *t->vector, err) : NULL;
     t->at = t->vector ? hobe_alloc((size_t)model->unknowns, sizeof *t->at, err) : NULL;
     if (t->at)
-        mark(model, touched);
+        pattern_mark(model, 1, touched);
     t->count = 0;
     for (long v = 0; t->at && v < model->vectors; v++)
         if (model->unknown[v] >= 0) {

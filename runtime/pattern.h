@@ -12,7 +12,12 @@ enum hobe_status pattern_build(struct hobe_model *model, struct hobe_error *err)
 /* Lays tangents out in columns as well, and opens model->solver, unless that is done. */
 enum hobe_status pattern_columns(struct hobe_model *model, struct hobe_error *err);
 
-/* Finds the vectors that are touched, and lays tangents of these out as well, unless that is done.
+/* touched[vectors] = 1 at those that items act on: loads (load_touch), joints, springs, bodies; and
+ * at multipliers. */
+void pattern_mark(const struct hobe_model *model, int changing, unsigned char *touched);
+
+/* Finds the vectors that are touched, but by dead forces, and lays tangents of these out as well,
+ * unless that is done.
  */
 enum hobe_status pattern_touch(struct hobe_model *model, struct hobe_error *err);
 

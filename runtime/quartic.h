@@ -1,40 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The elastic energy of a whole model on a few fields, exactly.
+/* The elastic energy of a whole model on a few fields, exactly, by the quadratic form in its
+ * strains (strain_form.h).
  *
- * With x = x_c + sum_i q_i phi_i, x_c = x0 + u_c, the strains of every station are differences of a
- * bilinear measure s of section vectors (kernel.h),
+ * On u = u_c + sum_i q_i phi_i, i = 1 ... n, with q_0 = 1, it is the homogeneous quartic form
  *
- *     s(x, x) - s(x0, x0) = s(u_c, x0 + x_c) + 2 sum_i q_i s(x_c, phi_i) + sum_ij q_i q_j
- *                           s(phi_i, phi_j),
+ *     U = 1/24 T_ijkl q_i q_j q_k q_l,    i, j, k, l = 0 ... n,
+ *     T_ijkl = 4 (A_{ij,kl} + A_{ik,jl} + A_{il,jk}),
  *
- * and the energy is 1/2 h'A h in h = (1, q_i, q_i q_j), A = sum of S'Q S over the stations,
- * positive semidefinite where the elastic law is.  So it has five tensors, the derivatives at q =
- * 0,
+ * symmetric in all indices and kept as a symmetric matrix of pairs i >= j.  One product with the
+ * pairs q_k q_l gives all: by Y_ij = T_ijkl q_k q_l, and Euler's theorem,
  *
- *     U = k0 + k1 q + 1/2 k2:qq + 1/6 k3:qqq + 1/24 k4:qqqq,
+ *     dU/dq_i = 1/6 Y_ij q_j,    d2U/dq_i dq_j = 1/2 Y_ij,
  *
- * symmetric in all their indices.  They are kept by pairs i >= j, k4 by pairs of pairs, so that one
- * product with the pairs q_i q_j gives force and tangent, at a cost of n^4/4 that knows nothing of
- * the number of elements. */
+ * at a cost of n^4/4 that knows nothing of the number of elements. */
 #ifndef HOBE_QUARTIC_H
 #define HOBE_QUARTIC_H
 
-#include "model.h"
+#include "quartic_product.h"
+#include "strain_form.h"
 
 struct quartic {
-    long n;               /* fields */
-    long pairs;           /* n (n + 1)/2, and zeros up to a multiple of QUARTIC_ALIGN */
-    double k0;            /* J */
-    double *k1, *k2, *k3; /* [n], [pairs], [n][pairs] */
-    double *k4;           /* rows of pairs, QUARTIC_ALIGN of them at a time up to their diagonal */
-    double *work;         /* [3][pairs] */
+    long n;     /* fields */
+    long pairs; /* of 0 ... n, and spare ones up to a multiple of QUARTIC_ROWS, all zero */
+    quartic_product *multiply;
+    double *T;    /* by quartic_row */
+    double *work; /* [2][pairs] */
 };
 
-enum { QUARTIC_ALIGN = 4 };
-
 /* The energy of all elements of a built model about the centre u_c[vectors][3] (NULL: the
- * reference) on the fields field[n][vectors][3], displacements whose vectors agree with their
- * aliases.  HOBE_BAD_INPUT where an element's energy is not quartic. */
+ * reference) on the fields field[n][vectors][3], displacements; both are read at vectors that are
+ * no aliases.  HOBE_BAD_INPUT where an element's energy is not quartic. */
 enum hobe_status quartic_open(struct quartic *quartic, const hobe_model *model,
                               const double *centre, long n, const double *field,
                               struct hobe_error *err);

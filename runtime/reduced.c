@@ -2,6 +2,7 @@
 #include "reduced.h"
 
 #include "assemble.h"
+#include "enrich.h"
 #include "journal.h"
 #include "pattern.h"
 #include "reduction.h"
@@ -90,6 +91,8 @@ static enum hobe_status copy_centre(struct hobe_reduced *r, const hobe_solution 
 enum hobe_status reduced_finish(struct hobe_reduced *r, double started, struct hobe_error *err)
 {
     enum hobe_status status = reduced_fingerprint(r->model, &r->fingerprint, err);
+    quartic_close(&r->quartic);
+    r->quartic = (struct quartic){0};
     if (!status)
         status = quartic_open(&r->quartic, r->model, r->centre, r->basis.n, r->basis.field, err);
     r->info.unknowns = (int)r->basis.n;
@@ -118,6 +121,8 @@ enum hobe_status hobe_reduce(hobe_model *model, const struct hobe_reduce *option
         status = basis_make(model, options, &r->basis, err);
     if (!status)
         status = reduced_finish(r, started, err);
+    if (!status && options->accuracy > 0)
+        status = enrich(r, options, started, err);
     if (status)
         hobe_reduced_free(r);
     else

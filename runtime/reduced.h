@@ -31,7 +31,8 @@ enum hobe_status reduced_fingerprint(const hobe_model *model, struct fingerprint
 /* Whether they are of the same beams, as far as rounding on another machine lets them be. */
 int reduced_same(const struct fingerprint *a, const struct fingerprint *b);
 
-/* What is left to do once basis and centre are there: energy, and what is said of them. */
+/* What is left to do once basis and centre are there, or are others: energy, and what is said of
+ * them. */
 enum hobe_status reduced_finish(struct hobe_reduced *r, double started, struct hobe_error *err);
 
 #endif

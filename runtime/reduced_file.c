@@ -16,6 +16,7 @@ struct head {
     char magic[8];
     uint64_t sum; /* journal_sum of all behind it */
     int64_t method, closed, unknowns, vectors, centre;
+    double accuracy;
     struct fingerprint fingerprint;
 };
 
@@ -40,6 +41,7 @@ enum hobe_status hobe_reduced_write(const hobe_reduced *r, void **bytes, size_t 
                         .unknowns = r->basis.n,
                         .vectors = beams,
                         .centre = r->centre != NULL,
+                        .accuracy = r->info.accuracy,
                         .fingerprint = r->fingerprint};
     memcpy(head.magic, MAGIC, sizeof MAGIC);
     *size = bytes_of(&head);
@@ -117,7 +119,8 @@ enum hobe_status hobe_reduced_read(hobe_model *model, const void *bytes, size_t 
         return status ? status : HOBE_NO_MEMORY;
     r->model = model;
     r->info = (struct hobe_reduced_info){.method = (enum hobe_reduce_method)head.method,
-                                         .closed = (int)head.closed};
+                                         .closed = (int)head.closed,
+                                         .accuracy = head.accuracy};
     status = take(r, &head, (const double *)((const char *)bytes + sizeof head), err);
     if (!status)
         status = reduced_finish(r, started, err);

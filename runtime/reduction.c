@@ -6,6 +6,7 @@
 #include "pattern.h"
 #include "vector3.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -241,6 +242,20 @@ void reduction_elastic(const hobe_model *model, const double *u, double *f, cons
 double reduction_energy(const hobe_model *model, const double *u)
 {
     return quartic_energy(&model->reduction->of->quartic, u);
+}
+
+void reduction_round_off(const hobe_model *model, const double *u, double *f)
+{
+    const struct reduction *r = model->reduction;
+    double *moved = r->dense, *at = r->dense + r->n; /* n >= 2, or 1 and there is room */
+    memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
+    memset(at, 0, (size_t)r->n * sizeof *at);
+    for (long j = 0; j < r->n; j++)
+        moved[j] = u[j] * (1 + (j % 2 ? DBL_EPSILON : -DBL_EPSILON));
+    quartic_add(&r->of->quartic, u, at, NULL);
+    quartic_add(&r->of->quartic, moved, f, NULL);
+    for (long j = 0; j < r->n; j++)
+        f[j] -= at[j];
 }
 
 /* ---- inertia --------------------------------------------------------------------------------- */
@@ -596,7 +611,7 @@ static enum hobe_status allocate(struct reduction *r, struct hobe_error *err)
     r->v = hobe_alloc(size, sizeof *r->v, err);
     r->f = hobe_alloc(size, sizeof *r->f, err);
     r->all = hobe_alloc(size, sizeof *r->all, err);
-    r->dense = hobe_alloc(n * n, sizeof *r->dense, err);
+    r->dense = hobe_alloc(n * n + 1, sizeof *r->dense, err);
     r->scale = hobe_alloc((size_t)(3 * r->whole->unknowns), sizeof *r->scale, err);
     return r->mass && r->position && r->weight && r->u && r->v && r->f && r->all && r->dense &&
                    r->scale

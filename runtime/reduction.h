@@ -72,6 +72,10 @@ void reduction_project(const hobe_model *model, double factor, const double *F, 
 void reduction_elastic(const hobe_model *model, const double *u, double *f, const struct matrix *K);
 double reduction_energy(const hobe_model *model, const double *u);
 
+/* f = by how much dU/dq changes where the state is changed in its last digits: what rounding leaves
+ * of it. */
+void reduction_round_off(const hobe_model *model, const double *u, double *f);
+
 /* Spare coordinates are held by the energy q^2/2. */
 void reduction_spare(const hobe_model *model, const double *u, double *f, const struct matrix *K);
 

@@ -12,6 +12,7 @@
 /* Principal fields are orthogonal; one that is none any more when its image is taken anew, is
  * nothing but what rounding has left. */
 static const double ROUNDED = 0.1;
+static const double INDEPENDENT = 1e-5;
 
 static size_t field_size(const struct span *span)
 {
@@ -150,7 +151,8 @@ static void move(struct span *span, long to, long from)
     memmove(span->image + to * n, span->image + from * n, (size_t)n * sizeof(double));
 }
 
-void span_orthonormalise(struct span *span, long first, double share)
+/* Drops what is no longer than a share of what it was. */
+static void orthonormalise(struct span *span, long first, double share)
 {
     const long given = span->n;
     span->n = first;
@@ -164,6 +166,11 @@ void span_orthonormalise(struct span *span, long first, double share)
         span_normalise(span, to);
         span->n++;
     }
+}
+
+void span_orthonormalise(struct span *span, long first)
+{
+    orthonormalise(span, first, INDEPENDENT);
 }
 
 /* G[m][m] = the products of the fields from `first` on. */
@@ -182,11 +189,24 @@ static void combine(const struct span *span, long first, long m, const double *c
         axpy(size, c[i], span->field + (first + i) * size, to);
 }
 
-enum hobe_status span_compress(struct span *span, long first, long most, struct hobe_error *err)
+/* How many of m principal fields, nu[m] ascending, leave no more than a share of all. */
+static long count_principal(long m, const double *nu, long most, double share)
 {
-    const long m = span->n - first, kept = m < most ? m : most, size = 3 * span->model->vectors;
+    double sum = 0, left = 0;
+    long kept = m;
+    for (long i = 0; i < m; i++)
+        sum += nu[i];
+    while (kept > 0 && left + nu[m - kept] <= share * share * sum)
+        left += fmax(0, nu[m - kept--]); /* rounding makes some negative */
+    return kept < most ? kept : most;
+}
+
+enum hobe_status span_compress(struct span *span, long first, long most, double share,
+                               struct hobe_error *err)
+{
+    const long m = span->n - first, size = 3 * span->model->vectors;
     int definite = 1;
-    double *G = hobe_alloc((size_t)(2 * m * m + m + kept * size), sizeof *G, err);
+    double *G = hobe_alloc((size_t)(2 * m * m + m + (m < most ? m : most) * size), sizeof *G, err);
     if (!G)
         return HOBE_NO_MEMORY;
     double *one = G + m * m, *nu = one + m * m, *sum = nu + m;
@@ -196,13 +216,14 @@ enum hobe_status span_compress(struct span *span, long first, long most, struct 
         take_parts(span, first, i);
     fill_gram(span, first, m, G);
     enum hobe_status status = m > 0 ? eigen_dense((int)m, G, one, nu, &definite, err) : HOBE_OK;
-    for (long k = 0; !status && k < kept; k++)
+    const long kept = status ? 0 : count_principal(m, nu, most, share);
+    for (long k = 0; k < kept; k++)
         combine(span, first, m, G + (m - 1 - k) * m, sum + k * size);
     span->n = first;
     for (long k = 0; !status && k < kept; k++)
         status = span_add(span, sum + k * size, err);
     hobe_free(G);
     if (!status)
-        span_orthonormalise(span, first, ROUNDED);
+        orthonormalise(span, first, ROUNDED);
     return status;
 }

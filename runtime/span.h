@@ -38,11 +38,13 @@ void span_combine(struct span *span, long i, double factor, long j);
 void span_normalise(struct span *span, long i);
 
 /* Makes the fields from `first` on orthonormal to those before them and one another, in turn;
- * those of which less than a share is left are dropped. */
-void span_orthonormalise(struct span *span, long first, double share);
+ * those that depend on them, but for 1e-5, are dropped. */
+void span_orthonormalise(struct span *span, long first);
 
-/* Replaces the fields from `first` on by their principal ones, at most `most`, orthonormal, those
- * first that hold most of all; what is held by rounding alone is dropped. */
-enum hobe_status span_compress(struct span *span, long first, long most, struct hobe_error *err);
+/* Replaces the fields from `first` on by their principal ones, orthonormal, those first that hold
+ * most of all: at most `most`, as many as leave no more than a share of the fields, by the root of
+ * the mean of squares.  What is held by rounding alone is dropped. */
+enum hobe_status span_compress(struct span *span, long first, long most, double share,
+                               struct hobe_error *err);
 
 #endif

@@ -11,6 +11,10 @@ enum { MOST = 5 }; /* corrections until the theorem speaks */
 
 static const double SAFETY = 2;
 
+/* Corrections below this share of the state are rounding, which a second one does not make
+ * smaller; what their square adds is not worth a thought. */
+static const double ROUND_OFF = 1e-8;
+
 static size_t size_of(const struct trust *trust)
 {
     return (size_t)(3 * trust->s.model->vectors);
@@ -85,7 +89,7 @@ static enum hobe_status advance(struct trust *trust, double load, enum tangent t
         return status;
     const double first = *rest = norm_of(trust, s->x);
     solver_move(s, s->x, 1);
-    if (s->motion.force || first == 0)
+    if (s->motion.force || first <= ROUND_OFF * trust_norm(trust, s->u))
         return HOBE_OK;
     status = correct(trust, load, NO_TANGENT, err);
     if (!status)
@@ -108,29 +112,49 @@ static enum hobe_status measure(struct trust *trust, double load, double *bound,
     return status;
 }
 
-enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, double *indicator,
-                               double *correction, struct hobe_error *err)
+/* What moves has forces of inertia; and the unbalanced ones have acted since it began: a mode of
+ * the angular frequency w answers (1 - cos w t)/w^2, about 1/(w^2 + 1/t^2) or less. */
+static void set_motion(struct trust *trust, const hobe_solution *state, double *force)
 {
     struct solver *s = &trust->s;
-    double *force = NULL;
+    const double t = state->info.time;
+    mass_force(s->model, 1, state->w, force);
+    s->motion.force = force;
+    s->motion.inertia = t > 0 ? 1 / (t * t) : 0;
+}
+
+enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, double *size,
+                               double *indicator, double *correction, struct hobe_error *err)
+{
+    struct solver *s = &trust->s;
+    double bound = 0, *force = hobe_alloc(size_of(trust), sizeof *force, err);
+    if (!force)
+        return HOBE_NO_MEMORY;
     memcpy(s->u, state->u, size_of(trust) * sizeof *s->u);
     s->motion = (struct motion){.instant = solution_instant(state, s->model)};
-    if (state->w) {
-        force = hobe_alloc(size_of(trust), sizeof *force, err);
-        if (!force)
-            return HOBE_NO_MEMORY;
-        mass_force(s->model, 1, state->w, force);
-        s->motion.force = force;
-    }
-    const double size = trust_norm(trust, s->u);
-    double bound = 0;
-    const enum hobe_status status = measure(trust, state->w ? 1 : state->info.load, &bound, err);
+    if (state->w)
+        set_motion(trust, state, force);
+    *size = fmax(*size, trust_norm(trust, s->u));
+    const enum hobe_status status = measure(trust, state->info.load, &bound, err);
     s->motion.force = NULL;
     hobe_free(force);
-    *indicator = bound > 0 ? SAFETY * bound / size : 0;
-    if (status || !correction)
-        return status;
-    for (size_t i = 0; i < size_of(trust); i++)
+    *indicator = bound > 0 ? SAFETY * bound / *size : 0;
+    for (size_t i = 0; correction && i < size_of(trust); i++)
         correction[i] = s->u[i] - s->start[i];
-    return HOBE_OK;
+    return status;
+}
+
+enum hobe_status trust_ask(hobe_model *whole, hobe_solution *state, double *size,
+                           struct hobe_error *err)
+{
+    struct trust trust;
+    enum hobe_status status = trust_open(&trust, whole, err);
+    if (!status)
+        status = trust_measure(&trust, state, size, &state->info.indicator, NULL, err);
+    if (status == HOBE_SINGULAR) {
+        state->info.indicator = INFINITY;
+        status = HOBE_OK;
+    }
+    trust_close(&trust);
+    return status;
 }

@@ -26,12 +26,17 @@ struct trust {
 enum hobe_status trust_open(struct trust *trust, hobe_model *whole, struct hobe_error *err);
 void trust_close(struct trust *trust);
 
-/* The indicator of a state of the model at its load factor and time.  One in motion, with
- * accelerations, is asked what the left-out fields would do at once under the forces that are out
- * of balance, by one correction.  correction[vectors][3]: what the state lacks, by all of them, or
- * NULL.  HOBE_SINGULAR, without a sentence, at a critical point. */
-enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, double *indicator,
-                               double *correction, struct hobe_error *err);
+/* The indicator of a state of the model at its load factor and time, relative to *size, which
+ * becomes at least that of the state: the largest so far.  One in motion, with accelerations, is
+ * asked by one correction what the left-out fields would do if the forces that are out of balance
+ * had acted since it began.  correction[vectors][3]: what the state lacks, by all of them, or NULL.
+ * HOBE_SINGULAR, without a sentence, at a critical point. */
+enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, double *size,
+                               double *indicator, double *correction, struct hobe_error *err);
+
+/* Writes the indicator into a state of the model, infinite at a critical point. */
+enum hobe_status trust_ask(hobe_model *whole, hobe_solution *state, double *size,
+                           struct hobe_error *err);
 
 /* |D^-1 u| of displacements u[vectors][3]. */
 double trust_norm(const struct trust *trust, const double *u);

@@ -217,6 +217,13 @@ class State:
         self.machine.run("trilinear_part", self.inv, lanes(a), lanes(b), lanes(c), out)
         return values(out)
 
+    def gram(self, b, c):
+        """Strains and stresses of all stations."""
+        m = self.size["M"]
+        out = [empty(self.inv.stations * m * (2 * m - 1)) for _ in range(2)]
+        self.machine.run("gram_part", self.inv, lanes(b), lanes(c), *out)
+        return tuple(map(values, out))
+
     def defined_energy(self, u):
         """U = sum_g w_g s'Q s/2 from the definitions in kernel.h; positions from the first one."""
         m, size = self.size["M"], self.size["V"]
@@ -379,6 +386,16 @@ class Exact(Case):
         self.assertEqual(state.trilinear(tripled, state.q0, state.h), [3 * x for x in f])
         self.assertEqual(state.trilinear(state.q0, tripled, state.h),
                          [3 * x for x in state.trilinear(state.q0, state.u, state.h)])
+
+    def test_gram(self):
+        """Strains by stresses are the trilinear form, and the energy."""
+        state = self.state
+        strain, _ = state.gram(state.u, state.q0)
+        _, stress = state.gram(state.h, state.u)
+        self.assertEqual(2 * dot(strain, stress),
+                         dot(state.trilinear(state.u, state.h, state.u), state.q0))
+        strain, stress = state.gram([2 * a + b for a, b in zip(state.q0, state.u)], state.u)
+        self.assertEqual(dot(strain, stress) / 2, state.energy(state.u))
 
 
 class Uncoupled(Exact):

@@ -47,6 +47,7 @@ void check_declaration(const struct fixture *fx)
     CHECK(k->shears == (fx->structural ? 3 : M * (M - 1)), k->name);
     CHECK((k->axis_rule != NULL) == fx->structural, k->name);
     CHECK((k->trilinear == NULL) == fx->structural, k->name);
+    CHECK((k->gram == NULL) == fx->structural, k->name);
     CHECK((k->series == NULL) == fx->structural, k->name);
     CHECK(k->flops_force > 0 && k->flops_tangent > k->flops_force, k->name);
     CHECK(!strcmp(k->mode[0], "1"), k->name);

@@ -185,6 +185,29 @@ static void check_linear(const struct fixture *fx, struct batch *b)
     free(T);
 }
 
+/* T(a; b, c).d = 2 sum strain(a, d) stress(b, c), against the norms of the terms. */
+static void check_gram(const struct fixture *fx, struct batch *b)
+{
+    const struct hobe_kernel *k = fx->kernel;
+    const size_t n = (size_t)fx->inv.stations * (size_t)(k->normals + k->shears);
+    hobe_lanes *strain = grab(4 * n, sizeof *strain), *stress = strain + n;
+    k->gram(&fx->inv, b->q, b->q0, strain, strain + 2 * n);
+    k->gram(&fx->inv, b->u, b->q, strain + 3 * n, stress);
+    run_trilinear(fx, b->q, b->u, b->q, b);
+    for (int lane = 0; lane < HOBE_LANES; lane++) {
+        real sum = 0, terms = 0, work = 0;
+        for (size_t i = 0; i < n; i++) {
+            sum += 2 * (real)strain[i][lane] * stress[i][lane];
+            terms += 2 * fabsl((real)strain[i][lane] * stress[i][lane]);
+        }
+        for (int i = 0; i < fx->dofs; i++)
+            work += (real)b->f[i][lane] * b->q0[i][lane];
+        check("gram: T(a;b,c).d is 2 strain(a,d) stress(b,c)", where(fx, lane),
+              fabsl(work - sum) / terms, 1e-11L);
+    }
+    free(strain);
+}
+
 /* The coefficients of a series are sums of T(c_i; c_j, c_l), i + j + l = k, none of them k. */
 static void check_series(const struct fixture *fx, struct batch *b)
 {
@@ -370,6 +393,7 @@ void check_identities(const struct fixture *fx)
     if (!fx->structural) { /* a quartic energy */
         check_gradient(fx, &b);
         check_trilinear(fx, &b);
+        check_gram(fx, &b);
         check_linear(fx, &b);
         check_series(fx, &b);
         check_tangent_trilinear(fx, &b);

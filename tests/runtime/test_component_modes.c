@@ -97,9 +97,6 @@ static void test_interfaces(const hobe_section *section)
     model = cantilever(&beam, 0);
     add_force(model, "beam", 0.6, 0, 1, 0);
     count_interfaces(model, 8, "a force inside an element, on r and r_x of its ends");
-    model = cantilever(&beam, 0);
-    add_moment(model, "beam", 0.6, 0, 1, 0);
-    count_interfaces(model, 10, "a moment inside an element");
     count_interfaces(two_beams(section, HOBE_JOINT_SPHERICAL, 0), 8 + 1,
                      "a spherical joint, three multipliers");
     count_interfaces(two_beams(section, HOBE_JOINT_REVOLUTE, 0), 8 + 2,
@@ -243,6 +240,9 @@ static void test_all_modes(const hobe_section *section)
                info_of(few).linearisations);
     check_that(info_of(few).outside > 1e-3, "few modes leave a residual, %g", info_of(few).outside);
     check_that(info_of(few).residual < 1e-11, "but not along them, %g", info_of(few).residual);
+    check_absolute(info_of(all).indicator, 0, 1e-9, "the indicator of all modes");
+    check_that(info_of(few).indicator > apart(few, full, "beam"), "that of few: %g",
+               info_of(few).indicator);
     const struct hobe_point a = point_of(few, "beam", 1, 0, 0), b = point_of(full, "beam", 1, 0, 0);
     check_that(norm(a.u) < norm(b.u), "they are stiffer: %g, %g m", norm(a.u), norm(b.u));
     hobe_solution_free(full);

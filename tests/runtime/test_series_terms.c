@@ -13,6 +13,7 @@
 #include "body.h"
 #include "check.h"
 #include "constraint.h"
+#include "load.h"
 #include "scene.h"
 #include "series.h"
 #include "solution.h"
@@ -161,12 +162,12 @@ static void subtract_loads(const hobe_model *model, const number *u, double time
     for (long i = 0; i < 3 * model->vectors; i++)
         R[i] -= factor * model->dead[i];
     for (size_t i = 0; i < model->forces.count; i++) {
-        const struct hobe_force *force = (const struct hobe_force *)model->forces.item + i;
+        const struct hobe_force *force = &model_force(model, i)->spec;
         if (force->follower || force->history) /* others are among the dead */
             subtract_force(model, force, u, at_time(force->history, time, factor), R);
     }
     for (size_t i = 0; i < model->moments.count; i++) {
-        const struct hobe_moment *moment = (const struct hobe_moment *)model->moments.item + i;
+        const struct hobe_moment *moment = &model_moment(model, i)->spec;
         subtract_moment(model, moment, u, at_time(moment->history, time, factor), R);
     }
 }

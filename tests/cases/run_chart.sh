@@ -1,0 +1,120 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# hobe chart from outside, on tiny ladders: errors and costs of every model, a front that is one,
+# commands that give the same numbers again, failures with their sentence.
+set -u
+hobe=$(realpath "${HOBE:?set HOBE to the program}")
+python=${HOBE_PYTHON:-python3}
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+failed=0
+
+complain() {
+    echo "run_chart: $*" >&2
+    failed=$((failed + 1))
+}
+
+cat >case.lua <<'LUA'
+local hobe = require "hobe"
+local P = hobe.param("P", 10)
+hobe.chart{
+  truth = { u = P == 10 and -3.2e-2 or nil }, quantities = { "u", "v" },
+  ladder = {
+    { element = { "BE24", "3333" }, elements = { 1, 2 } },
+    { element = "3333", elements = 2, mechanics = "none" }, { elements = 2, element = "3333" },
+  },
+}
+local r = hobe.static(hobe.scene{
+  hobe.beam{ name = "a", element = hobe.param("element", "3333"),
+             elements = hobe.param("elements", 1), section = hobe.square{ side = 0.01 },
+             material = { E = 2e11, nu = 0.3, rho = 7800 }, from = {0, 0, 0}, to = {1, 0, 0},
+             mechanics = hobe.param("mechanics", "average") },
+  hobe.clamp{ "a", at = 0 }, hobe.force{ "a", at = 1, value = {0, P, -P} },
+})
+local u = r:displacement("a", 1)
+hobe.report{ u = { u[3], "m" }, v = { u[2], "m", expect = 2e-2 }, w = u[1] }
+LUA
+grep -v truth case.lua | sed '/^  ladder/,/^}/d; /^hobe.chart/d' >plain.lua
+
+"$hobe" chart case.lua --quick --out out --format json >chart.json 2>stderr ||
+    complain "$(cat stderr)"
+[ ! -s stderr ] || complain "progress, and no terminal: $(cat stderr)"
+"$hobe" chart plain.lua P=5 element=3333,BE24 elements=1,2 --quick >plain.txt 2>stderr ||
+    complain "$(cat stderr)"
+
+"$python" - "$hobe" <<'PYTHON' || complain "the results are not what they should be"
+import csv, json, math, re, subprocess, sys
+
+rows = json.load(open("chart.json"))["chart"]
+assert json.load(open("out/chart.json"))["chart"] == rows
+assert {r["model"] for r in rows} == {
+    f"element={e} elements={n}" for e in ("BE24", "3333") for n in (1, 2)} | {
+    "element=3333 elements=2 mechanics=none"} and len(rows) == 5, rows
+assert "failure" in rows[-1] and not any("failure" in r for r in rows[:-1])
+assert re.match(r"case.lua:\d+: .*mechanics.*none", rows[-1]["failure"]), rows[-1]
+assert set(rows[-1]) == {"model", "failure", "command"}, rows[-1]
+
+best = math.inf
+times = [r["time, ms"] for r in rows[:-1]]
+assert times == sorted(times) and times[0] > 0
+for row in rows[:-1]:
+    assert row["set-up, ms"] > 0 and row["solve, ms"] > 0 and row["unknowns"] > 0, row
+    assert row["MB"] >= 0 and row["spread, %"] >= 0, row
+    u, v = row["error of u"], row["error of v"]
+    assert math.isclose(u, abs(row["u"] / -3.2e-2 - 1), rel_tol=1e-12), row
+    assert math.isclose(v, abs(row["v"] / 2e-2 - 1), rel_tol=1e-12), row
+    assert row["largest error"] == max(u, v)
+    assert (row.get("front") == "yes") == (max(u, v) < best), row
+    best = min(best, max(u, v))
+    command = row["command"].split()
+    again = subprocess.run([sys.argv[1], *command[1:], "--format", "json"], check=True,
+                           stdout=subprocess.PIPE, text=True).stdout
+    report = json.loads(again)["report"]
+    assert all(report[q]["value"] == row[q] for q in "uv"), (row, report)
+
+with open("out/chart.csv", newline="") as file:
+    lines = list(csv.DictReader(file))
+assert [line["command"] for line in lines] == [row["command"] for row in rows]
+for line, row in zip(lines, rows):
+    assert all(float(line[k]) == v for k, v in row.items() if not isinstance(v, str)), line
+
+# No truth: that of a converged run, how far it has converged said; the parameter in all commands.
+plain = open("plain.txt").read()
+assert plain.startswith("plain.lua P=5: 4 models, "), plain
+assert "each by: hobe run plain.lua P=5 MODEL" in plain
+assert re.search(r"of elements=8, from which elements=4 differs by \d", plain), plain
+PYTHON
+[ -s out/chart.data.csv ] && [ -s out/chart.gp ] || complain "no figure"
+! command -v gnuplot >/dev/null || [ -s out/chart.png ] || complain "no picture"
+
+# refuses STATUS SENTENCE ARGUMENTS...
+refuses() {
+    status=$1 sentence=$2
+    shift 2
+    "$hobe" chart "$@" >stdout 2>stderr
+    [ $? -eq "$status" ] || complain "$*: the status is not $status"
+    grep -q "^hobe: .*$sentence" stderr || complain "$*: $(cat stderr)"
+    [ "$(wc -l <stderr)" -eq 1 ] && [ ! -s stdout ] || complain "$*: more than a sentence"
+}
+echo 'require("hobe").report{ u = 1 }' >none.lua
+echo 'require("hobe").param("elements", 1)' >silent.lua
+echo 'require("hobe").param("elements", 1) require("hobe").report{ u = 1 }' >still.lua
+echo 'require("hobe").chart{ ladder = {{ element = {{}} }} }' >wrong.lua
+echo 'require("hobe").chart{ doubt = -1 }' >doubt.lua
+printf 'hobe = require "hobe"\nwhile hobe.param("elements", 1) > 0 do pcall(hobe.kernel) end\n' >ever.lua
+refuses 2 'which case? hobe chart CASE'
+refuses 2 'unknown option or missing value: --slow' case.lua --slow
+refuses 2 '--limit must be a number of seconds from 1 to 86400, got "0"' case.lua --limit 0
+refuses 2 'a parameter is given twice: elements' case.lua elements=1 elements=2,4
+refuses 2 'words with commas between them, elements=2,4,8' case.lua elements=2,,4
+refuses 1 'nowhere.lua' nowhere.lua
+refuses 1 'all 5 models fail, .* with: the case has no parameter "Q"' case.lua Q=3 --quick
+refuses 1 'the case has no ladder: it needs' none.lua
+refuses 1 'the case reports no value' silent.lua
+refuses 1 'all 6 models fail, elements=1 with: it solves no scene' still.lua
+refuses 1 'wrong.lua:1: chart: element must be a number, string or boolean, got a table' wrong.lua
+refuses 1 'doubt.lua:1: chart: doubt must be' doubt.lua
+refuses 1 'it takes more than 1 s of processor time' ever.lua --limit 1
+
+[ "$failed" -eq 0 ] && echo "the charts are drawn"
