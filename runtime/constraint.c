@@ -631,8 +631,9 @@ static void differentiate(const struct hobe_model *model, int p, const double *u
         struct rates m;
         constraints_now(whole, tie, instant, c);
         read_rates(tie, u, v, &m);
+        double *rate = out + 3 * model_number(model, tie->multiplier);
         for (int k = 0; k < tie->constraints; k++)
-            out[3 * model_number(model, tie->multiplier) + k] = derivative(p, c, k, &m);
+            rate[k] = reduction_drops(model, tie->multiplier, k) ? 0 : derivative(p, c, k, &m);
     }
 }
 

@@ -14,7 +14,7 @@ long inertia_multipliers(const struct hobe_model *model, long *spare)
 {
     const struct reduction *r = model->reduction;
     long multipliers = 0;
-    *spare = r ? 3 * r->blocks - r->n : 0;
+    *spare = r ? 3 * r->blocks - r->n + r->drops : 0;
     model = model_whole(model);
     for (size_t i = 0; i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
@@ -23,7 +23,7 @@ long inertia_multipliers(const struct hobe_model *model, long *spare)
             *spare += 3 * tie->blocks - tie->constraints;
         }
     }
-    return multipliers;
+    return multipliers - (r ? r->drops : 0);
 }
 
 /* Where the tangent has scalar (a, c) of the block of a tie's entries (i, j); NULL: held. */

@@ -136,7 +136,7 @@ static void gather_force(const struct reduction *r, double *f)
         }
     const double *F = r->f + 3 * r->whole->beam_vectors;
     for (size_t i = 0; i < behind_size(r); i++)
-        behind(r, f)[i] += F[i];
+        behind(r, f)[i] += r->dropped[i] ? 0 : F[i];
 }
 
 /* product[3 touched][n] = K J, K the part of the vectors touched. */
@@ -165,6 +165,8 @@ static void gather_behind(const hobe_model *model, const struct matrix *K)
     const long m = 3 * r->whole->touched.count, rows = 3 * r->touched, n = r->n;
     for (long o = rows; o < m; o++) {
         const long to = scalar_of(r, o);
+        if (r->dropped[to - 3 * r->blocks])
+            continue;
         for (long j = 0; j < n; j++) {
             double below = 0, right = 0;
             for (long row = 0; row < rows; row++) {
@@ -175,7 +177,8 @@ static void gather_behind(const hobe_model *model, const struct matrix *K)
             add(model, K, j, to, right);
         }
         for (long p = rows; p < m; p++)
-            add(model, K, scalar_of(r, p), to, r->K.value[o * m + p]);
+            if (!r->dropped[scalar_of(r, p) - 3 * r->blocks])
+                add(model, K, scalar_of(r, p), to, r->K.value[o * m + p]);
     }
 }
 
@@ -217,7 +220,9 @@ void reduction_act(const hobe_model *model, reduction_items *act, const double *
 void reduction_spare(const hobe_model *model, const double *u, double *f, const struct matrix *K)
 {
     const struct reduction *r = model->reduction;
-    for (long i = r->n; i < 3 * r->blocks; i++) {
+    for (long i = r->n; i < 3 * model->vectors; i++) {
+        if (i >= 3 * r->blocks && !r->dropped[i - 3 * r->blocks])
+            continue;
         f[i] += u[i];
         if (K)
             add(model, K, i, i, 1);
@@ -413,9 +418,8 @@ void reduction_momenta(const hobe_model *model, const double *u, const double *v
 
 /* ---- motions from outside -------------------------------------------------------------------- */
 
-/* x = A^-1 x of a symmetric positive definite A[n][n], which is overwritten: A = L L'.  What A has
- * no part in stays zero. */
-static void solve_definite(long n, double *A, double *x)
+/* A = L L'. */
+void reduction_solve(long n, double *A, double *x)
 {
     for (long j = 0; j < n; j++) {
         double *Lj = A + j * n;
@@ -445,7 +449,7 @@ enum hobe_status reduction_fit(const hobe_model *model, const double *v, double 
     memcpy(behind(r, q), v + 3 * r->whole->beam_vectors, behind_size(r) * sizeof *q);
     for (long i = 0; i < n * n; i++)
         r->dense[i] = r->mass[i] + r->mass[4 * n * n + i] + r->mass[8 * n * n + i];
-    solve_definite(n, r->dense, q);
+    reduction_solve(n, r->dense, q);
     reduction_expand(model, q, 0, field);
     for (long i = 0; i < size; i++)
         field[i] -= v[i];
@@ -619,6 +623,14 @@ static enum hobe_status allocate(struct reduction *r, struct hobe_error *err)
                : HOBE_NO_MEMORY;
 }
 
+/* The state q = 0 at the vectors touched. */
+static const double *reference(const struct reduction *r)
+{
+    for (long k = 0; r->of->centre && k < r->touched; k++)
+        memcpy(r->u + 3 * r->vector[k], r->of->centre + 3 * r->vector[k], 3 * sizeof *r->u);
+    return r->u;
+}
+
 struct reduction *reduction_open(const struct hobe_reduced *of, hobe_model *whole,
                                  struct hobe_error *err)
 {
@@ -627,7 +639,8 @@ struct reduction *reduction_open(const struct hobe_reduced *of, hobe_model *whol
         return NULL;
     *r = (struct reduction){
         .of = of, .whole = whole, .n = of->basis.n, .blocks = (of->basis.n + 2) / 3};
-    if (!allocate(r, err) && !touch(r, err) && !weigh(r, err) && !damp(r, err))
+    if (!allocate(r, err) && !touch(r, err) && !reduction_drop(r, reference(r), err) &&
+        !weigh(r, err) && !damp(r, err))
         return r;
     reduction_free(r);
     return NULL;
@@ -641,6 +654,7 @@ void reduction_free(struct reduction *r)
                               r->f, r->all,  r->K.value, r->product,  r->dense,  r->scale};
     for (size_t i = 0; i < sizeof memory / sizeof *memory; i++)
         hobe_free(memory[i]);
+    hobe_free(r->dropped);
     for (int layout = 0; layout < LAYOUTS; layout++)
         hobe_free(r->place[layout]);
     hobe_free(r);

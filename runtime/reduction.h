@@ -26,6 +26,9 @@ struct reduction {
     double *position;        /* [3][3][n] phi_i,a' m (x_0 + u_c)_b, of the reference x_0, kg m */
     double *weight;          /* [3][n] phi_i,a' m 1: the work of a unit acceleration, kg */
     double *u, *v, *f, *all; /* [vectors][3] of the whole model: zero but where touched; all: any */
+    unsigned char *dropped;  /* [3 behind the beams' vectors] multipliers of constraints that the
+                                basis keeps by itself: they are spare */
+    long drops;              /* how many */
     struct matrix K;         /* of the vectors touched, then bodies and multipliers */
     double *dense, *product; /* [n][n]; [3 touched][n] */
     double *scale;           /* [3 unknowns] of the whole model */
@@ -43,6 +46,13 @@ static inline long model_number(const hobe_model *model, long v)
 {
     const struct reduction *r = model->reduction;
     return r ? v - r->whole->beam_vectors + r->blocks : v;
+}
+
+/* Whether the basis keeps constraint k of a tie with the multipliers from this vector on. */
+static inline int reduction_drops(const hobe_model *model, long multiplier, int k)
+{
+    const struct reduction *r = model->reduction;
+    return r && r->dropped[3 * (multiplier - r->whole->beam_vectors) + k];
 }
 
 /* Forces of some items of a model, f += and K += unless NULL; `factor` for what has one. */
@@ -112,6 +122,18 @@ enum hobe_status reduction_check_motion(const hobe_model *model, struct hobe_err
 /* scale[3 unknowns] = diag^(-1/2), with what is left to bodies (body_scale), and to coordinates
  * that nothing but joints holds. */
 void reduction_scale(const hobe_model *model, double *scale);
+
+/* Finds the multipliers to drop, in the reference, whose state at the vectors touched is given. */
+enum hobe_status reduction_drop(struct reduction *r, const double *state, struct hobe_error *err);
+
+/* Gives a state of the whole model that was expanded the multipliers of joints that the basis
+ * keeps, which balance the forces there. */
+enum hobe_status reduction_reactions(const struct reduction *r, struct hobe_solution *state,
+                                     struct hobe_error *err);
+
+/* x = A^-1 x of a symmetric positive definite A[n][n], whose lower triangle is overwritten.  What A
+ * has no part in becomes zero. */
+void reduction_solve(long n, double *A, double *x);
 
 /* The reduced form of a whole model that is built, to be freed with its model; NULL with err. */
 struct reduction *reduction_open(const struct hobe_reduced *of, hobe_model *whole,

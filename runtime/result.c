@@ -44,7 +44,7 @@ static enum hobe_status copy_reduced(const hobe_model *model, const double *cons
         status = copy_field(r->whole, all, to[i], err);
     }
     hobe_free(all);
-    return status;
+    return status ? status : reduction_reactions(r, s, err);
 }
 
 int solution_is_of(const struct hobe_solution *state, const hobe_model *model)

@@ -135,7 +135,7 @@ enum hobe_status trust_measure(struct trust *trust, const hobe_solution *state, 
     if (state->w)
         set_motion(trust, state, force);
     *size = fmax(*size, trust_norm(trust, s->u));
-    const enum hobe_status status = measure(trust, state->info.load, &bound, err);
+    const enum hobe_status status = measure(trust, state->w ? 1 : state->info.load, &bound, err);
     s->motion.force = NULL;
     hobe_free(force);
     *indicator = bound > 0 ? SAFETY * bound / *size : 0;

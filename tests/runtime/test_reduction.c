@@ -342,6 +342,48 @@ static void retains_modes(const hobe_section *section, int given)
     hobe_model_free(whole);
 }
 
+static struct hobe_reaction reaction_of(const hobe_solution *state, const char *name)
+{
+    struct hobe_error err;
+    struct hobe_reaction reaction;
+    expect_ok(hobe_solution_reaction(state, name, &reaction, &err), &err);
+    return reaction;
+}
+
+/* Fields found under a support keep it by themselves: its reaction is there all the same.  Within
+ * what the basis leaves out, 1e-6 of displacements and 1e-4 of forces. */
+static void keeps_supports(const hobe_section *section)
+{
+    struct hobe_beam beam = soft_beam(section, 3);
+    hobe_model *whole = new_model();
+    add_beam(whole, &beam);
+    add_body(whole, &(struct hobe_body){.name = "body",
+                                        .mass = 0.5,
+                                        .shape = HOBE_SHAPE_SPHERE,
+                                        .size = {0.1},
+                                        .centre = {1, 0, 0}});
+    add_joint(whole,
+              &(struct hobe_joint){.beam = {"beam"}, .name = "wall", .kind = HOBE_JOINT_RIGID});
+    add_joint(whole,
+              &(struct hobe_joint){.beam = {"beam", "body"}, .at = {1}, .kind = HOBE_JOINT_FIXED});
+    add_force(whole, "beam", 1, random_real(-5, 5), random_real(-5, 5), random_real(-5, 5));
+    add_moment(whole, "beam", 1, 2, random_real(-3, 3), random_real(-3, 3));
+    add_gravity(whole, NULL);
+    hobe_reduced *reduced = reduce(whole, &(struct hobe_reduce){.modes = 12});
+    hobe_model *small = small_of(reduced, whole);
+    hobe_solution *a = rest(whole), *b = rest(small);
+    same = 1e-6;
+    same_field(whole, a->u, b->u, "support");
+    const struct hobe_reaction x = reaction_of(a, "wall"), y = reaction_of(b, "wall");
+    check_absolute(distance(x.force, y.force), 0, 1e-4 * norm(x.force), "reaction");
+    check_absolute(distance(x.moment, y.moment), 0, 1e-4 * norm(x.moment), "moment");
+    hobe_solution_free(a);
+    hobe_solution_free(b);
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_model_free(whole);
+}
+
 /* u = (R - 1) q, R the turn by an angle about a random axis. */
 static void turn(const hobe_model *model, const double *q, double angle, double *u)
 {
@@ -473,6 +515,7 @@ int main(void)
     spins(section);
     retains_modes(section, 0);
     retains_modes(section, 1);
+    keeps_supports(section);
     turns(section);
     files(section);
     hobe_section_free(section);
