@@ -56,8 +56,8 @@ hobe.chart{
   quantities = { "u2", "u3", "twist" }, truth = solid, doubt = 2e-3,
   ladder = {
     { element = { "BE24", "3333", "MGD30", "3433", "BE24w", "3333w", "MGD30w", "3433w", "BE42", "3363",
-                  "MGD30w3", "3333s" },
-      elements = { 1, 2, 4, 8, 16, 32, 64 } },
+                  "MGD30w3" }, elements = { 1, 2, 4, 8, 16, 32, 64 } },
+    { element = "3333s", elements = { 1, 2, 4, 8, 16 }, mechanics = "structural" },
     { element = { "34X3", "B4", "BE24w-II", "MGD30w-II" }, elements = { 1, 2, 4, 8, 16, 32 } },
     { element = { "3333w", "MGD30w", "3433w" }, elements = { 4, 8, 16 }, integration = "paper" },
     { element = { "MGD30w", "34X3" }, elements = { 4, 8, 16 }, mechanics = { "axis", "full" } },

@@ -98,7 +98,8 @@ hobe.table{
 }
 hobe.plot{
   file = "torsion_reduced.png", title = "Torsion to 2 rad: unknowns and error",
-  xlabel = "unknowns", ylabel = "relative error of the twist", ylog = true, series = lines,
+  xlabel = "unknowns", ylabel = "relative error of the twist", xlog = true, ylog = true,
+  series = lines,
 }
 
 -- ---- load steps --------------------------------------------------------------------------------

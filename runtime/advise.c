@@ -553,13 +553,13 @@ static int hangs(const struct search *s)
 }
 
 /* Runs an element on meshes that cost less than half of the model taken, until one holds. */
-static enum hobe_status try_element(struct search *s, const struct hobe_kernel *kernel,
+static enum hobe_status try_element(struct search *s, const struct hobe_kernel *kernel, int linear,
                                     struct hobe_error *err)
 {
     const struct advise_trial taken = s->advice->trial[s->advice->model];
-    const int iterations = (int)lround(taken.cost / advise_cost(&taken.model, 1));
+    const int iterations = linear ? 1 : (int)lround(taken.cost / advise_cost(&taken.model, 1));
     for (int k = 0; k < MESHES && MESH[k] <= s->problem->most; k++) {
-        const struct advise_model model = plain(kernel, MESH[k]);
+        const struct advise_model model = {.kernel = kernel, .elements = MESH[k], .linear = linear};
         const double cost = advise_cost(&model, iterations) / taken.cost;
         const struct advise_trial *trial;
         struct advise_loss error;
@@ -583,41 +583,27 @@ static enum hobe_status try_twins(struct search *s, struct hobe_error *err)
     enum hobe_status status = HOBE_OK;
     for (int i = 0; !status && hobe_kernels()[i]; i++)
         if (hobe_kernels()[i] != taken && advise_same_section(hobe_kernels()[i], taken))
-            status = try_element(s, hobe_kernels()[i], err);
+            status = try_element(s, hobe_kernels()[i], 0, err);
     return status;
 }
 
 /* ---- evidence -------------------------------------------------------------------------------- */
 
-/* Takes the linear model on the coarsest mesh that holds and costs less. */
+/* Weighs what the linear response loses, and takes it where it holds: what it loses and what its
+ * mesh does may cancel. */
 static enum hobe_status try_linear(struct search *s, struct hobe_error *err)
 {
     struct advice *a = s->advice;
-    const struct advise_model chosen = a->trial[a->model].model;
-    struct advise_model model = chosen;
+    struct advise_model model = a->trial[a->model].model;
     const struct advise_trial *trial;
     model.linear = 1;
-    enum hobe_status status = try_model(s, &model, &trial, err);
+    const enum hobe_status status = try_model(s, &model, &trial, err);
     if (status || !trial)
         return status;
     a->linear = loss_of(s, trial->value, a->trial[a->model].value);
-    const double most = a->trial[a->model].cost;
-    for (int k = 0; s->problem->takes_linear && k < MESHES && MESH[k] <= s->problem->most; k++) {
-        struct advise_loss error;
-        model.elements = MESH[k];
-        if (model.elements < chosen.elements || (a->holds && advise_cost(&model, 1) >= most))
-            continue;
-        if (a->linear.size > HOPE * s->problem->accuracy)
-            return HOBE_OK;
-        status = try_model(s, &model, &trial, err);
-        if (status)
-            return status;
-        if (trial && holds(s, trial, &error)) {
-            take(s, trial, 1, error);
-            return HOBE_OK;
-        }
-    }
-    return HOBE_OK;
+    if (!s->problem->takes_linear || a->linear.size > 2 * s->problem->accuracy)
+        return HOBE_OK;
+    return try_element(s, model.kernel, 1, err);
 }
 
 /* What the chosen model would lose without what it has in any case. */

@@ -192,7 +192,7 @@ static enum hobe_status open_loads(struct source *s, hobe_model *full, struct ho
         s->model[s->count++] = full;
     for (int i = 0; !status && i < o->load_count; i++) {
         status = hobe_model_build(o->loads[i], err);
-        if (!status && !mixture_fits(full, o->loads[i]))
+        if (!status && !model_same_shape(full, o->loads[i]))
             return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                              "the scenes of loads must have the beams, joints and supports of the "
                              "one that is reduced; number %d has others",

@@ -5,6 +5,7 @@
 #define HOBE_BENCH_PRINCETON_H
 
 #include "bench.h"
+#include "newton.h"
 
 #define BENCH_PRINCETON_LENGTH 0.508 /* m */
 
@@ -15,6 +16,9 @@ hobe_section *bench_princeton_section(struct hobe_error *err);
 enum hobe_status bench_princeton_beam(hobe_model *model, const struct hobe_kernel *kernel,
                                       int elements, double length, const hobe_section *section,
                                       struct hobe_error *err);
+
+/* An iteration of Newton's method from the reference, where it leaves the solver. */
+enum hobe_status bench_iterate(struct solver *solver, struct hobe_error *err);
 
 /* Elements of meshes of about equal size, by the nodes of one (Table 5). */
 int bench_princeton_mesh(const struct hobe_kernel *kernel);

@@ -46,6 +46,10 @@ enum {
     ITERATIONS,
     FACTORS,
     BYTES,
+    WHOLE,
+    OFFLINE,
+    REPAID,
+    TENSOR,
     COLUMNS
 };
 
@@ -73,6 +77,10 @@ static const struct {
     [ITERATIONS] = {"iterations per step", "iterations"},
     [FACTORS] = {"factors per step", "factors"},
     [BYTES] = {"bytes per element", "bytes"},
+    [WHOLE] = {"whole / this", "whole/this"},
+    [OFFLINE] = {"offline, s", "offline, s"},
+    [REPAID] = {"repaid after iterations", "repaid after"},
+    [TENSOR] = {"tensor, bytes", "tensor, bytes"},
 };
 
 static void fill(const struct bench_row *row, struct hobe_cell *cell)
@@ -95,6 +103,10 @@ static void fill(const struct bench_row *row, struct hobe_cell *cell)
         [ITERATIONS] = row->iterations,
         [FACTORS] = row->factors,
         [BYTES] = elements > 0 ? row->bytes / elements : 0,
+        [WHOLE] = row->whole,
+        [OFFLINE] = row->offline,
+        [REPAID] = row->whole > 1 ? row->offline / ((row->whole - 1) * time) : 0,
+        [TENSOR] = row->tensor,
     };
     for (int j = 0; j < DOFS; j++)
         cell[j].text = texts[j] ? texts[j] : "";
@@ -115,8 +127,9 @@ static const struct view everything = {
     "bench",
     {NULL, NULL},
     COLUMNS,
-    {KIND,   ELEMENT,     SECTION, PLAN, TAKEN, TASK,   DOFS,    ELEMENTS,   SECONDS, LEAST,
-     SPREAD, NANOSECONDS, FLOPS,   RATE, PEAK,  POINTS, PRINTED, ITERATIONS, FACTORS, BYTES},
+    {KIND,    ELEMENT,    SECTION, PLAN,        TAKEN, TASK,    DOFS,   ELEMENTS,
+     SECONDS, LEAST,      SPREAD,  NANOSECONDS, FLOPS, RATE,    PEAK,   POINTS,
+     PRINTED, ITERATIONS, FACTORS, BYTES,       WHOLE, OFFLINE, REPAID, TENSOR},
     0,
 };
 static const struct view views[] = {
@@ -139,6 +152,11 @@ static const struct view views[] = {
      {"motion", NULL},
      7,
      {ELEMENT, ELEMENTS, TASK, SECONDS, SPREAD, ITERATIONS, FACTORS},
+     3},
+    {"Newton iterations of a cantilever, whole and reduced",
+     {"reduced", NULL},
+     8,
+     {ELEMENT, ELEMENTS, DOFS, SECONDS, WHOLE, OFFLINE, REPAID, TENSOR},
      3},
 };
 
@@ -221,15 +239,21 @@ void bench_text(const struct bench_rows *rows, enum bench_format format, struct 
 
 /* ---- pictures ------------------------------------------------------------------------------- */
 
-/* A diagram of the time per element, its rows in series of those that are alike. */
+/* A diagram, its rows in series of those that are alike. */
 struct figure {
-    const char *name, *title, *xlabel;
+    const char *name, *title, *xlabel, *ylabel;
     enum hobe_style style;
     int log_x;
     double (*x)(const struct bench_row *row); /* 0: the row is not in it */
+    double (*y)(const struct bench_row *row);
     int (*alike)(const struct bench_row *a, const struct bench_row *b);
     const char *(*label)(const struct bench_row *row, char *text, size_t size);
 };
+
+static double time_per_element(const struct bench_row *row)
+{
+    return 1e6 * row->time.median / (double)row->elements;
+}
 
 static double kernel_x(const struct bench_row *row)
 {
@@ -263,11 +287,36 @@ static const char *scene_label(const struct bench_row *row, char *text, size_t s
     return text;
 }
 
+static double reduced_x(const struct bench_row *row)
+{
+    return row->offline > 0 ? row->dofs : 0;
+}
+
+static double reduced_gain(const struct bench_row *row)
+{
+    return row->whole;
+}
+
+static int reduced_alike(const struct bench_row *a, const struct bench_row *b)
+{
+    return !strcmp(a->element, b->element) && a->elements == b->elements;
+}
+
+static const char *reduced_label(const struct bench_row *row, char *text, size_t size)
+{
+    snprintf(text, size, "%ld x %s", row->elements, row->element);
+    return text;
+}
+
 static const struct figure figures[] = {
     {"kernels", "Elements on a rectangle, in batches of eight", "degrees of freedom of an element",
-     HOBE_STYLE_POINTS, 0, kernel_x, kernel_alike, kernel_label},
-    {"scenes", "Steps of a Newton iteration on beams", "elements of the beam",
-     HOBE_STYLE_LINESPOINTS, 1, scene_x, scene_alike, scene_label},
+     "µs per element", HOBE_STYLE_POINTS, 0, kernel_x, time_per_element, kernel_alike,
+     kernel_label},
+    {"scenes", "Steps of a Newton iteration on beams", "elements of the beam", "µs per element",
+     HOBE_STYLE_LINESPOINTS, 1, scene_x, time_per_element, scene_alike, scene_label},
+    {"reduced", "Newton iterations of reduced models", "unknowns",
+     "times that one of the whole model takes longer", HOBE_STYLE_LINESPOINTS, 0, reduced_x,
+     reduced_gain, reduced_alike, reduced_label},
 };
 
 /* What a figure is made of while it is drawn; room for all rows. */
@@ -292,7 +341,7 @@ static size_t add_series(const struct bench_rows *rows, const struct figure *fig
         if (!(x > 0) || !figure->alike(rows->at + j, row))
             continue;
         d->x[used + count] = x;
-        d->y[used + count++] = 1e6 * rows->at[j].time.median / (double)rows->at[j].elements;
+        d->y[used + count++] = figure->y(rows->at + j);
     }
     const char *label = figure->label(row, d->label[d->count], sizeof d->label[0]);
     d->series[d->count++] =
@@ -314,7 +363,7 @@ static enum hobe_status draw(const struct bench_rows *rows, const struct figure 
             used += add_series(rows, figure, i, &d, used);
     const struct hobe_plot plot = {.title = figure->title,
                                    .xlabel = figure->xlabel,
-                                   .ylabel = "µs per element",
+                                   .ylabel = figure->ylabel,
                                    .count = d.count,
                                    .series = d.series,
                                    .log_x = figure->log_x,

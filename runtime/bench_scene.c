@@ -90,15 +90,22 @@ static void run_solve(void *context)
         s->status = s->err->status;
 }
 
+enum hobe_status bench_iterate(struct solver *s, struct hobe_error *err)
+{
+    solver_evaluate(s, 1, TRUE_TANGENT);
+    solver_norm(s, s->r, 1);
+    if (solver_factor(s, err) != CONVERGED || solver_solve(s, s->r, -1, s->x, err))
+        return err->status;
+    solver_move(s, s->x, 1);
+    memset(s->u, 0, (size_t)(3 * s->model->vectors) * sizeof *s->u);
+    return HOBE_OK;
+}
+
 static void run_iteration(void *context)
 {
     struct scene *s = context;
-    run_tangent(s);
-    solver_norm(&s->solver, s->solver.r, 1);
-    run_factor(s);
-    run_solve(s);
-    solver_move(&s->solver, s->solver.x, 1);
-    memset(s->solver.u, 0, (size_t)(3 * s->solver.model->vectors) * sizeof *s->solver.u);
+    if (bench_iterate(&s->solver, s->err))
+        s->status = s->err->status;
 }
 
 static const struct {

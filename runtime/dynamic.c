@@ -298,12 +298,12 @@ static enum outcome judge(struct run *run)
     struct genalpha *g = &run->g;
     const double h = g->now.step, accuracy = run->options.accuracy;
     const double after = genalpha_acceleration(g);
-    run->error = accuracy > 0 ? genalpha_error(g) / g->size : NAN;
+    run->error = genalpha_error(g) / g->size;
     g->reason = NULL;
     if (!(h * h * after <= (accuracy > 0 ? accuracy : FAR) * g->size) &&
         !(after <= LEAP * genalpha_norm(g, g->now.w)))
         g->reason = "the accelerations grew to more than three times what they were";
-    else if (run->error > accuracy)
+    else if (accuracy > 0 && run->error > accuracy)
         g->reason = "the error was too large";
     return g->reason ? FAILED : CONVERGED;
 }
@@ -368,6 +368,7 @@ static void take(struct run *run, double target)
     info->steps++;
     info->smallest_step = info->steps == 1 ? g->now.step : fmin(info->smallest_step, g->now.step);
     info->largest_step = fmax(info->largest_step, g->now.step);
+    info->largest_error = fmax(info->largest_error, run->error);
     log_step(run, "");
 }
 

@@ -867,9 +867,10 @@ struct hobe_history_info {
     long factorisations;
     double time;                        /* reached, s */
     double smallest_step, largest_step; /* taken, s */
-    long projected;     /* unknowns of a projection, multipliers included; 0: none */
-    int linearisations; /* how often its modes were found */
-    double seconds;     /* in hobe_dynamic without set-up */
+    double largest_error; /* of displacements in a step, relative to the scene's size */
+    long projected;       /* unknowns of a projection, multipliers included; 0: none */
+    int linearisations;   /* how often its modes were found */
+    double seconds;       /* in hobe_dynamic without set-up */
 };
 
 /* The motion of a model under its loads, all of them on: M w + F(q) + Phi_q' lambda = Q(q, v, t),

@@ -310,7 +310,9 @@ static enum hobe_status draw(const struct ladder *ladder, const struct ladder_ca
     if (!status && d.x && d.y && d.series) {
         compose(ladder, &d);
         const struct hobe_plot plot = {.title = title.at,
-                                       .xlabel = "set-up and solve, s; crosses: failed after",
+                                       .xlabel = ladder->rung[n - 1].why
+                                                     ? "set-up and solve, s; crosses: failed after"
+                                                     : "set-up and solve, s",
                                        .ylabel = "largest relative error",
                                        .count = d.count,
                                        .series = d.series,

@@ -15,6 +15,9 @@ struct history {
 
 enum { SCENE = 1, STATES = 2 };
 
+/* The error of a step, over the scene's size, from which on it is said. */
+static const double COARSE = 1e-3;
+
 /* ---- the log -------------------------------------------------------------------------------- */
 
 /* Nothing here calls Lua: the core must not be left by an error of Lua. */
@@ -89,6 +92,9 @@ static const struct hobe_lua_field fields[] = {
          "how often the modes of a projection were found"),
     INFO("smallest_step", smallest_step, 'd', "s", "the shortest step taken"),
     INFO("largest_step", largest_step, 'd', "s", "the longest"),
+    INFO("largest_error", largest_error, 'd', NULL,
+         "the greatest error of displacements in a step, as estimated, relative to the scene's "
+         "size; hobe.dynamic warns where it is more than 0.001"),
     INFO("solve_seconds", seconds, 'd', "s", "solving"),
     {0}};
 
@@ -260,6 +266,22 @@ static void read_start(lua_State *L, struct hobe_dynamic *options)
     lua_pop(L, 1);
 }
 
+/* Warns where a fixed step was too long. */
+static void warn_of_steps(lua_State *L, const hobe_history *history)
+{
+    struct hobe_history_info info;
+    char text[200];
+    hobe_history_info(history, &info);
+    if (info.largest_error <= COARSE)
+        return;
+    snprintf(
+        text, sizeof text,
+        "dynamic: a step left an error of about %.2g of the scene's size; take a smaller step, "
+        "or give an accuracy that chooses the steps",
+        info.largest_error);
+    hobe_lua_warn(L, text);
+}
+
 /* hobe.dynamic(scene, options) */
 static int solve_dynamic(lua_State *L)
 {
@@ -306,6 +328,7 @@ static int solve_dynamic(lua_State *L)
     if (options.dynamic.rho > 0.9)
         hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
                          "motions with joints may fail");
+    warn_of_steps(L, history->history);
     return 1;
 }
 

@@ -110,6 +110,8 @@ static enum hobe_status measure(const struct bench_options *options, struct benc
         status = bench_table6(options, rows, err);
     if (!status)
         status = bench_motions(options, rows, err);
+    if (!status)
+        status = bench_reduced(options, rows, err);
     show_progress("", "");
     return status;
 }

@@ -229,9 +229,9 @@ enum hobe_status hobe_solution_mesh_warning(const hobe_solution *solution, const
     if (!status && share >= NOTICEABLE)
         snprintf(
             text, size,
-            "beam %s: its mesh misses about %.2g %% of its compliance, or in torsion more: its "
-            "elements cannot follow how it bends and turns; use more of them, or such of "
-            "higher order",
+            "beam %s: its strains and the forces that balance its loads differ by about %.2g %% of "
+            "the energy, and it is wrong by as much, or in torsion more: its elements cannot "
+            "follow how it bends and turns; use more of them, or such of higher order",
             name, 100 * share);
     return status;
 }

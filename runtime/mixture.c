@@ -52,14 +52,6 @@ static enum hobe_status add(struct mixture *mixture, const hobe_model *from, dou
     return status;
 }
 
-int mixture_fits(const hobe_model *a, const hobe_model *b)
-{
-    const size_t size = (size_t)a->vectors * sizeof *a->unknown;
-    return a->vectors == b->vectors && a->beam_vectors == b->beam_vectors &&
-           a->unknowns == b->unknowns && !memcmp(a->alias, b->alias, size) &&
-           !memcmp(a->unknown, b->unknown, size);
-}
-
 enum hobe_status mixture_open(struct mixture *mixture, int count, hobe_model *const *models,
                               const double *weight, struct hobe_error *err)
 {

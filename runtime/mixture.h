@@ -13,9 +13,6 @@ struct mixture {
     double *dead; /* [vectors][3] */
 };
 
-/* Whether two built models have the same unknowns in the same places. */
-int mixture_fits(const hobe_model *model, const hobe_model *other);
-
 enum hobe_status mixture_open(struct mixture *mixture, int count, hobe_model *const *models,
                               const double *weight, struct hobe_error *err);
 void mixture_close(struct mixture *mixture);

@@ -47,7 +47,7 @@ points_function *points_evaluate(void);
 
 /* Flops of a call for each element by so many points, from positions and without a law of the mean
  * strain, counted in the source; and the Gauss points of the textbook, as many as the polynomials
- * among the element's modes ask for, on a rectangle. */
+ * among the element's modes ask for, on a rectangle: functions of a section want more. */
 double points_flops(int vectors, int points, int tangent);
 int points_of_rectangle(const struct hobe_kernel *kernel);
 

@@ -61,6 +61,11 @@ void quartic_close(struct quartic *q)
     *q = (struct quartic){.n = 0};
 }
 
+double quartic_bytes(const struct quartic *q)
+{
+    return (double)quartic_row(q->pairs) * sizeof *q->T;
+}
+
 /* ---- the energy ------------------------------------------------------------------------------ */
 
 /* h = the pairs of (1, q), twice where i > j; Y = T h, which is returned. */

@@ -35,6 +35,9 @@ enum hobe_status quartic_open(struct quartic *quartic, const hobe_model *model,
                               struct hobe_error *err);
 void quartic_close(struct quartic *quartic);
 
+/* Memory of the tensor. */
+double quartic_bytes(const struct quartic *quartic);
+
 /* U(q), J.  Not for two threads at once, like the next: they share work. */
 double quartic_energy(const struct quartic *quartic, const double *q);
 

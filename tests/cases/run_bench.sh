@@ -57,6 +57,12 @@ for element, baselines in (("BE24", {"points", "eq. 28"}), ("3333s", set())):
                                          elements=1000)[0]
     table6, = select(element=element, kind="table 6")
     assert table6["elements"] == (38 if element == "BE24" else 24)
+    reduced = select(element=element, kind="reduced")
+    assert {r["elements"] for r in reduced} == ({20, 100} if baselines else set()), reduced
+    for n in {r["elements"] for r in reduced}:
+        rest = [r for r in reduced if r["elements"] == n and "offline, s" in r]
+        assert [r["dofs"] for r in rest] == [6, 12, 20, 27, 35], rest
+        assert all("whole / this" in r and "tensor, bytes" in r for r in rest), rest
     steps = {r["task"]: r for r in select(element=element, kind="motion")}
     assert set(steps) == {"step", "step, full Newton"}, steps
     assert all(r["elements"] == table6["elements"] for r in steps.values()), steps
@@ -74,7 +80,7 @@ for line, row in zip(lines, rows):
     assert all(float(line[k]) == v for k, v in row.items() if not isinstance(v, str))
 PYTHON
 
-for name in kernels scenes; do
+for name in kernels scenes reduced; do
     [ -s out/$name.data.csv ] && [ -s out/$name.gp ] || complain "no figure $name"
     ! command -v gnuplot >/dev/null || [ -s out/$name.png ] || complain "no picture $name"
 done

@@ -15,7 +15,7 @@ struct cantilever {
     double length, force[3], moment[3], gravity[3];
 };
 
-enum { QUANTITIES = 7, FINEST = 256 };
+enum { QUANTITIES = 7 };
 static const char *const NAME[] = {"u1", "u2", "u3", "middle 2", "middle 3", "twist", "rotation"};
 static const char *const UNIT[] = {"m", "m", "m", "m", "m", "rad", "rad"};
 
@@ -116,22 +116,25 @@ static double error_of(const double *value, const double *truth)
     return worst;
 }
 
-/* Whether a model of the ladder that costs less than `most` is within the accuracy; which. */
-static int cheaper_holds(struct cantilever *c, const double *truth, double accuracy, double most,
+/* Whether a model of the ladder, no richer than one element, that costs less than `most` is within
+ * the accuracy; which.  One of `stride` models is run, from a random one on. */
+static int cheaper_holds(struct cantilever *c, const struct hobe_kernel *richest,
+                         const double *truth, double accuracy, double most, int stride,
                          struct advise_model *which)
 {
     static const char *const ELEMENTS[] = {"BE24",  "BE24w", "3333",   "3333w",   "3333w3", "3433",
                                            "3433w", "MGD30", "MGD30w", "MGD30w3", "MGD30d"};
     static const int MESH[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
     const int models = 2 * (int)(sizeof ELEMENTS / sizeof *ELEMENTS * (sizeof MESH / sizeof *MESH));
-    for (int i = 0; i < models; i++) {
+    for (int i = (int)random_real(0, stride); i < models; i += stride) {
         struct hobe_error err;
         double value[QUANTITIES];
         int iterations;
         *which = (struct advise_model){.kernel = hobe_find_kernel(ELEMENTS[i / 24], &err),
                                        .elements = MESH[i / 2 % 12],
                                        .linear = i % 2};
-        if (advise_cost(which, which->linear ? 1 : 3) < most &&
+        if (which->kernel->modes <= richest->modes &&
+            advise_cost(which, which->linear ? 1 : 3) < most &&
             !run(c, which, value, &iterations, &err) && advise_cost(which, iterations) < most &&
             error_of(value, truth) <= accuracy)
             return 1;
@@ -139,62 +142,92 @@ static int cheaper_holds(struct cantilever *c, const double *truth, double accur
     return 0;
 }
 
-/* The choice for a scene: within twice the accuracy that it claims, and no model of the ladder that
- * is as good costs less than a third.  The truth is the richest of the `levels` on FINEST elements,
- * twice as many as a choice may have. */
-static void check_choice(int kind, int levels, double accuracy)
+/* How thorough the test is. */
+struct thoroughness {
+    int scenes, levels, finest, stride;
+    double accuracy;
+};
+
+/* A random cantilever and its truth; others where one buckles. */
+static struct cantilever solved_cantilever(int kind, const struct advise_model *finest,
+                                           double *truth)
 {
     struct hobe_error err;
     struct cantilever c;
+    int iterations;
+    for (c = random_cantilever(kind); run(&c, finest, truth, &iterations, &err);) {
+        hobe_section_free(c.section);
+        c = random_cantilever(kind);
+    }
+    return c;
+}
+
+/* The choice is within twice the accuracy that it claims, and no model of the ladder that is as
+ * good costs less than a third. */
+static void check_choice(const struct advice *advice, struct cantilever *c, const double *truth,
+                         int stride)
+{
+    const struct advise_problem *p = advice->problem;
+    const struct advise_trial *taken = advice->trial + advice->model;
+    const double error = error_of(taken->value, truth);
+    struct advise_model cheaper;
+    struct hobe_text text = {0};
+    advise_say(advice, &text);
+    printf("L/h %.3g, %s: %s; it is %.2g; all trials cost %.0f times as much\n",
+           c->length / properties_of(c->section).height, hobe_section_text(c->section), text.at,
+           error, advice->cost / taken->cost);
+    hobe_text_free(&text);
+    check_that(advice->error.size <= p->accuracy || !advice->holds, "the claim is the accuracy's");
+    check_that(!advice->holds || error <= 2 * p->accuracy, "accuracy %g met: %g", p->accuracy,
+               error);
+    check_that(advice->holds || error >= 0.1 * p->accuracy, "nothing holds %g: %g", p->accuracy,
+               error);
+    const int too_dear = cheaper_holds(c, p->level[p->levels - 1], truth, p->accuracy,
+                                       taken->cost / 3, stride, &cheaper);
+    check_that(!too_dear, "%s %d%s would do", cheaper.kernel->name, cheaper.elements,
+               cheaper.linear ? " linear" : "");
+}
+
+/* Advice about a random cantilever, the truth the richest level on twice the elements that a choice
+ * may have. */
+static void check_advice(int kind, const struct thoroughness *how)
+{
+    struct hobe_error err;
     const struct hobe_kernel *level[ADVISE_LEVELS];
-    const int known = advise_levels(level);
+    const int known = advise_levels(level), levels = how->levels < known ? how->levels : known;
+    const struct advise_model finest = {.kernel = level[levels - 1], .elements = how->finest};
+    double truth[QUANTITIES];
+    struct cantilever c = solved_cantilever(kind, &finest, truth);
     const struct advise_problem problem = {.quantities = QUANTITIES,
                                            .name = NAME,
                                            .unit = UNIT,
-                                           .accuracy = accuracy,
-                                           .levels = levels < known ? levels : known,
+                                           .accuracy = how->accuracy,
+                                           .levels = levels,
                                            .level = level,
-                                           .most = FINEST / 2,
+                                           .most = how->finest / 2,
                                            .takes_linear = 1,
                                            .run = run,
                                            .context = &c};
     struct advice advice;
-    struct advise_model cheaper, finest = {.kernel = level[problem.levels - 1], .elements = FINEST};
-    double truth[QUANTITIES];
-    int iterations;
-    for (c = random_cantilever(kind); run(&c, &finest, truth, &iterations, &err);) {
-        hobe_section_free(c.section); /* it buckles under that */
-        c = random_cantilever(kind);
-    }
     if (advise(&problem, &advice, &err))
         check_stop("%s", err.message);
-    const struct advise_trial *taken = advice.trial + advice.model;
-    const double error = error_of(taken->value, truth);
-    struct hobe_text text = {0};
-    advise_say(&advice, &text);
-    printf("L/h %.3g, %s: %s; it is %.2g; all trials cost %.0f times as much\n",
-           c.length / properties_of(c.section).height, hobe_section_text(c.section), text.at, error,
-           advice.cost / taken->cost);
-    hobe_text_free(&text);
-    check_that(!advice.holds || error <= 2 * accuracy, "accuracy %g met: %g", accuracy, error);
-    check_that(advice.holds || error >= 0.1 * accuracy, "nothing holds %g: %g", accuracy, error);
-    check_that(advice.error.size <= accuracy || !advice.holds, "the claim");
-    const int cheaper_too = cheaper_holds(&c, truth, accuracy, taken->cost / 3, &cheaper);
-    check_that(!cheaper_too, "%s %d%s would do", cheaper.kernel->name, cheaper.elements,
-               cheaper.linear ? " linear" : "");
+    check_choice(&advice, &c, truth, how->stride);
     advice_free(&advice);
     hobe_section_free(c.section);
 }
 
-/* runtime_advise [SCENES LEVELS ACCURACY]: more scenes, and richer truths, than there is time for
- * in every run. */
+/* runtime_advise [SCENES [LEVELS [ACCURACY]]]: more scenes, held against the whole ladder and a
+ * finer truth, which may distort its section (4 levels), than there is time for in every run. */
 int main(int argc, char **argv)
 {
-    const int scenes = argc > 1 ? atoi(argv[1]) : 4, levels = argc > 2 ? atoi(argv[2]) : 3;
-    const double accuracy = argc > 3 ? atof(argv[3]) : 1e-3;
+    struct thoroughness how = {
+        .scenes = 4, .levels = 3, .finest = 128, .stride = 9, .accuracy = 3e-3};
+    if (argc > 1)
+        how = (struct thoroughness){atoi(argv[1]), argc > 2 ? atoi(argv[2]) : 3, 256, 1,
+                                    argc > 3 ? atof(argv[3]) : 1e-3};
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     random_start();
-    for (int i = 0; i < scenes; i++)
-        check_choice(i % 4, levels, accuracy);
+    for (int i = 0; i < how.scenes; i++)
+        check_advice(i % 4, &how);
     return check_report();
 }
