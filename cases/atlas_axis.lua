@@ -1,16 +1,16 @@
 -- Atlas of failures: Poisson's law on the axis, and integration by too few points.
 --
--- The paper's law (Tang, Tian & Hu 2022, eq. 26) has Poisson's coupling on the axis alone, with the
--- whole area.  That part is indefinite, its lowest eigenvalue -E nu/(1 + nu): an element that can
--- strain its axis and little else gains energy by it.  Rich elements do, the more the shorter they
--- are and the higher nu is, and all on an I-section; they are refused, with the number of negative
--- eigenvalues, before anything is solved or set in motion: such a beam would fly apart.  Where they
--- stand they are still too soft in stretch, which a note says.  Mechanics `average`, the default,
--- has neither.
+-- The paper's law (Tang, Tian & Hu 2022, eq. 26) has Poisson's coupling on the axis alone, with
+-- the whole area.  That part is indefinite, its lowest eigenvalue -E nu/(1 + nu): an element that
+-- can strain its axis and little else gains energy by it.  Rich elements do, the more the shorter
+-- they are and the higher nu is, and all on an I-section; they are refused, with the number of
+-- negative eigenvalues, before anything is solved or set in motion: such a beam would fly apart.
+-- Where they stand they are still too soft in stretch, which a note says.  Mechanics `average`,
+-- the default, has neither.
 --
--- The paper's 3 x 3 x 3 points leave 34X3 and B4 motions without energy, 8 beside the six of a rigid
--- body.  A note says how many; held by a clamp these elements stand, held by a joint, which leaves
--- such a motion free, no equilibrium is found, and that is an error, too.
+-- The paper's 3 x 3 x 3 points leave 34X3 and B4 motions without energy, 8 beside the six of a
+-- rigid body.  A note says how many; held by a clamp these elements stand, held by a joint, which
+-- leaves such a motion free, no equilibrium is found, and that is an error, too.
 -- Long: not run under the sanitizers, where it takes half a minute.
 local hobe = require "hobe"
 
@@ -63,7 +63,7 @@ EA = rows[6][5]
 hobe.table{ title = "Law on the axis, a square, two heights long: EA over the section's",
             columns = columns, rows = rows }
 hobe.plot{
-  file = "axis.png", title = "Law on the axis, a square: stiffness in stretch, until it is refused",
+  file = "axis.png", title = "Law on the axis, a square: stretch, until it is refused",
   xlabel = "nu", ylabel = "EA over the section's", series = curves,
 }
 
@@ -97,7 +97,7 @@ hobe.table{
 }
 hobe.report{
   refused = { refused, "of 28", expect = 16 },
-  EA = { EA, "", expect = 0.842545, within = 1e-5 },           -- test of elements at rest: closed form
+  EA = { EA, "", expect = 0.842545, within = 1e-5 },           -- closed form
   average = { average, "", expect = 0, within = 1e-9 },
   spurious = { spurious, "", expect = 16 },
   failed = { failed, "", expect = 2 },

@@ -8,8 +8,8 @@
 -- and less take energy out of the motion itself: of the third order, but much.
 --
 -- What a fixed step costs is estimated in each; more than 0.001 of the scene's size is warned of.
--- Hinges hold to rounding at any step, since constraints are unknowns of each; their force trembles
--- by the elastic bar's own vibration, which begins when it is let go of at once.
+-- Hinges hold to rounding at any step, since constraints are unknowns of each; their force
+-- trembles by the elastic bar's own vibration, which begins when it is let go of at once.
 --
 -- Expected: the place of the end after 2 s, with a step of 0.25 ms and rho = 0.8.
 local hobe = require "hobe"
@@ -23,7 +23,9 @@ local bar = hobe.scene{
   hobe.gravity{ 0, 0, -g },
 }
 
-local function swing(step, decay) return hobe.dynamic(bar, { to = 2, step = step, rho = decay }) end
+local function swing(step, decay)
+  return hobe.dynamic(bar, { to = 2, step = step, rho = decay })
+end
 local function tip(d) return d:state(d.count):position("bar", 1) end
 
 -- The greatest change of the hinge's force from step to step, over the weight; the greatest energy

@@ -2,19 +2,19 @@
 --
 -- Shear: a cantilever under a force at its end beside Timoshenko's beam, from thick to thin.  No
 -- element locks: what is missing is 1/(4 n^2) at most, that of a curvature that is even along each
--- of n elements, however slender.  34X3, B4 and the -II are too soft while the beam
--- is short: held and loaded at the slopes y and z, their outline turns away from those, as a note
--- with the results says.
+-- of n elements, however slender.  34X3, B4 and the -II are too soft while the beam is short: held
+-- and loaded at the slopes y and z, their outline turns away from those, as a note with the
+-- results says.
 --
 -- Poisson: the bending stiffness EI of an element over the section's.  With mechanics `full` a
--- section that cannot strain unevenly in its plane is (1 - nu)/((1 + nu)(1 - 2 nu)) times as stiff,
--- 1667 times at nu = 0.4999; it is said in a note with the results.  `average`, the default, is
--- right to rounding at any nu.
+-- section that cannot strain unevenly in its plane is (1 - nu)/((1 + nu)(1 - 2 nu)) times as
+-- stiff, 1667 times at nu = 0.4999; it is said in a note with the results.  `average`, the
+-- default, is right to rounding at any nu.
 --
 -- Membrane: a quarter of a circle, clamped, under a radial force at its end, whose closed form has
--- bending, stretch and shear.  An axis that cannot follow the arc stretches instead of bending.  So
--- do straight beams that have bent as far.  `r:mesh_error` sees it: hobe.static warns from 1 %, and
--- 3333s, whose strains count at few points, is free of it.
+-- bending, stretch and shear.  An axis that cannot follow the arc stretches instead of bending.
+-- So do straight beams that have bent as far.  `r:mesh_error` sees it: hobe.static warns from 1 %,
+-- and 3333s, whose strains count at few points, is free of it.
 local hobe = require "hobe"
 
 local n, h = hobe.param("n", 8), 0.1                   -- elements; m
@@ -109,7 +109,9 @@ for i, v in ipairs{ 0, 0.3, 0.45, 0.49, 0.499, 0.4999 } do
               EI_of("3363", "full", v), EI_of("MGD30", "average", v) }
 end
 for _, name in ipairs(names) do
-  if name ~= "3333s" then average = math.max(average, math.abs(EI_of(name, "average", 0.4999) - 1)) end
+  if name ~= "3333s" then
+    average = math.max(average, math.abs(EI_of(name, "average", 0.4999) - 1))
+  end
 end
 hobe.table{
   title = "Bending stiffness over the section's, over Poisson's ratio", rows = rows,

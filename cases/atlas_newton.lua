@@ -1,17 +1,17 @@
 -- Atlas of failures: Newton's iteration from zero against the size of the load, and what it finds.
 --
--- One step with neither line search nor cut-back, with line search alone, with both (hobe.static as
--- it is), and the power series of the path, which does not leave it.  Bending is easy, to 1000
--- EI/L^2; torsion fails from two turns on.  With cut-backs it gets further, and at 31 kNm to a state
--- off the path: 33 rad instead of 29, walls turned nearly inside out, nine negative eigenvalues
--- instead of six.  Nothing is lost that is not said: no equilibrium is a sentence that says how far
--- it got, and an equilibrium that is not stable, whichever it is, is warned of.
+-- One step with neither line search nor cut-back, with line search alone, with both (hobe.static
+-- as it is), and the power series of the path, which does not leave it.  Bending is easy, to 1000
+-- EI/L^2; torsion fails from two turns on.  With cut-backs it gets further, and at 31 kNm to a
+-- state off the path: 33 rad instead of 29, walls turned nearly inside out, nine negative
+-- eigenvalues instead of six.  Nothing is lost that is not said: no equilibrium is a sentence that
+-- says how far it got, and an equilibrium that is not stable, whichever it is, is warned of.
 --
 -- A straight column stays straight under any load: above Euler's it is unstable, and warned of;
--- pushed aside by a thousandth of the load it bends away, stable, along its path, by series; Newton finds
--- the state on the other side, near straight, unstable, and warned of, too.  Above its limit load a
--- shallow arch (cases/arch.lua) jumps over to the other side: stable, but reached by no path of
--- rising load, as hobe.path says by its limit points.
+-- pushed aside by a thousandth of the load it bends away, stable, along its path, by series;
+-- Newton finds the state on the other side, near straight, unstable, and warned of, too.  Above
+-- its limit load a shallow arch (cases/arch.lua) jumps over to the other side: stable, but reached
+-- by no path of rising load, as hobe.path says by its limit points.
 local hobe = require "hobe"
 
 local E, h = 1e9, 0.1
@@ -33,8 +33,14 @@ local ways = {
 
 -- ---- against the size of the load --------------------------------------------------------------
 
-local function elastica(a) return bar(10, 0, hobe.force{ "bar", at = 1, value = {0, 0, a*EI/100} }) end
-local function torsion(M) return bar(5, 0.3, hobe.moment{ "bar", at = 1, value = {1e3*M, 0, 0} }) end
+local function elastica(a)
+  return bar(10, 0, hobe.force{ "bar", at = 1, value = {0, 0, a*EI/100} })
+end
+
+local function torsion(M)
+  return bar(5, 0.3, hobe.moment{ "bar", at = 1, value = {1e3*M, 0, 0} })
+end
+
 local function sag(r) return r:displacement("bar", 1)[3] end
 local function twist(r) return r:twist("bar", 1) end
 

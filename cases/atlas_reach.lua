@@ -1,11 +1,12 @@
 -- Atlas of failures: how far elements of each order can be turned, and what ends them.
 --
 -- A square bar of 5 m, side 0.1 m, E = 1 GPa, nu = 0.3, is twisted by a torque at its end; one of
--- 10 m is rolled up by a moment, 8 pi EI/L, beside 80 elements of 3433w.  Slopes that turn are interpolated between
--- nodes and so too short there, which stiffens: linear ones (BE24, BE42, B4) go wrong from 0.2 rad
--- an element on, quadratic ones (3333, MGD30) from 1 rad, cubic ones (3433) from 3 rad.  The paper's
--- 29 rad of a square bar are 1.5 rad an element for 20 of MGD30w.  Nothing fails to converge:
--- `r:mesh_error` knows, and hobe.static and hobe.path warn where it is 1 %.
+-- 10 m is rolled up by a moment, 8 pi EI/L, beside 80 elements of 3433w.  Slopes that turn are
+-- interpolated between nodes and so too short there, which stiffens: linear ones (BE24, BE42, B4)
+-- go wrong from 0.2 rad an element on, quadratic ones (3333, MGD30) from 1 rad, cubic ones (3433)
+-- from 3 rad.  The paper's 29 rad of a square bar are 1.5 rad an element for 20 of MGD30w.
+-- Nothing fails to converge: `r:mesh_error` knows, and hobe.static and hobe.path warn where it is
+-- 1 %.
 --
 -- Expected: the twist of 100 elements of 3433w, 28.7089 rad at 30 kNm (MGD30w with 100: 28.7049).
 -- What a mesh misses must be said, or be less than 6 %.

@@ -1,5 +1,5 @@
--- Atlas of failures: round-off.  The same beam far from the origin, under tiny loads, slender, and in
--- other units, to how many digits it stays the same.
+-- Atlas of failures: round-off.  The same beam far from the origin, under tiny loads, slender, and
+-- in other units, to how many digits it stays the same.
 --
 -- Reference: a steel cantilever, askew, 1 m, 20 x 30 mm, 10 of MGD30w, bent by 500 N; its
 -- displacement and its first four frequencies.  Invariants of absolute positions would lose all
@@ -68,8 +68,8 @@ for i, way in ipairs(ways) do
   local of_u = digits(u, way[2])
   local of_w = not way.L and digits(w, w0) or nil
   rows[i] = { way[1], of_u, of_w, change }
-  report[string.format("short_%02d", i)] = { math.max(way[3] - math.min(of_u, (of_w or 16) + 2), 0),
-                                             "digits", expect = 0 }
+  local short = math.max(way[3] - math.min(of_u, (of_w or 16) + 2), 0)
+  report[string.format("short_%02d", i)] = { short, "digits", expect = 0 }
 end
 hobe.table{
   title = "Digits that stay the same", rows = rows, file = "roundoff.csv",

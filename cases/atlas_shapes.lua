@@ -2,17 +2,18 @@
 --
 -- A square cantilever under a force at its end, eight elements, beside Timoshenko's beam: the
 -- relative error where neighbours differ in length, where the section turns on the way (a square
--- bends alike about all axes), and where its height goes to a part (the integral of M^2/EI + V^2/GA
--- by Simpson's rule).  Elements with a cubic axis are exact at any ratio of lengths, and lose no
--- more than 0.5 % at six radians of pretwist, three quarters of one an element, or a tenth of the
--- height; those with even curvature lose 1.5 %.  r:mesh_error tells of pretwist, not yet of tapers.
+-- bends alike about all axes), and where its height goes to a part (the integral of M^2/EI +
+-- V^2/GA by Simpson's rule).  Elements with a cubic axis are exact at any ratio of lengths, and
+-- lose no more than 0.5 % at six radians of pretwist, three quarters of one an element, or a tenth
+-- of the height; those with even curvature lose 1.5 %.  r:mesh_error tells of pretwist, not yet of
+-- tapers.
 --
--- A pretwist or a curve that elements cannot follow is no error.  A kink is: it is refused with its
--- place.
+-- A pretwist or a curve that elements cannot follow is no error.  A kink is: it is refused with
+-- its place.
 --
--- A thin box (cases/box.lua, cases/walls.lua) whose walls bend in torsion collapses at 0.200 kNm, by
--- solids; a beam that keeps its outline goes on.  hobe.static warns from where walls take 5 %, and
--- beyond the limit torque that its result means nothing.
+-- A thin box (cases/box.lua, cases/walls.lua) whose walls bend in torsion collapses at 0.200 kNm,
+-- by solids; a beam that keeps its outline goes on.  hobe.static warns from where walls take 5 %,
+-- and beyond the limit torque that its result means nothing.
 local hobe = require "hobe"
 
 local E, nu, h, L, P, n = 1e9, 0.3, 0.1, 2, 1e-3, 8
@@ -47,7 +48,7 @@ local function theory(share)
   return P*sum
 end
 
-local function uneven(element, ratio)                  -- every second element so many times as long
+local function uneven(element, ratio)                  -- every second one so many times as long
   local items, x = { clamp("1") }, 0
   for i = 1, n do
     local to = x + 2*L/n/(1 + ratio)*(i % 2 == 0 and ratio or 1)

@@ -1,6 +1,6 @@
 -- The Princeton beam of cases/princeton_angles.lua under its largest load at any angle, reduced:
--- one basis, made of the paths under two loads, down and sideways, serves all angles.  Expected: the
--- whole beam.  The picture has the error over the number of unknowns at three angles that the basis
+-- one basis, made of the paths under two loads, down and sideways, serves all angles.  Expected:
+-- the whole beam.  The picture has the error over the number of unknowns at three angles that the basis
 -- was not made of, beside coarse meshes.
 --
 -- A path leads through states u = lambda u_1 + lambda^2 u_2 + ...; of two loads the products count,

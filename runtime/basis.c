@@ -171,6 +171,17 @@ static enum hobe_status make(struct source *s, struct hobe_error *err)
     }
 }
 
+/* Displacements from a centre reach where those from the reference do if it is among the fields. */
+static enum hobe_status add_centre(struct span *span, const hobe_solution *centre,
+                                   struct hobe_error *err)
+{
+    const long before = span->n;
+    const enum hobe_status status = span_add(span, centre->u, err);
+    if (!status)
+        span_orthonormalise(span, before);
+    return status;
+}
+
 /* ---- all of it ------------------------------------------------------------------------------- */
 
 static int has_loads(const hobe_model *model)
@@ -311,6 +322,8 @@ enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
     *basis = (struct basis){0};
     if (o.modes <= 0)
         o.modes = o.accuracy > 0 ? MOST_MODES : DEFAULT_MODES;
+    if (o.centre && o.modes > 1)
+        o.modes--; /* and the centre itself */
     enum hobe_status status = check_closed(&o, err);
     if (!status)
         status = hobe_model_build(full, err);
@@ -318,6 +331,8 @@ enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
         status = open_source(&s, full, err);
     if (!status)
         status = make(&s, err);
+    if (!status && o.centre && o.method != HOBE_REDUCE_FIELDS)
+        status = add_centre(&s.span, o.centre, err);
     if (!status && o.closed)
         status = closure_add(&s.span, o.closed, o.normal, err);
     if (!status)

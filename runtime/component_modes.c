@@ -7,6 +7,8 @@
 
 #include <string.h>
 
+enum { FIRST_MODES = 16 }; /* looked for below a frequency */
+
 /* ---- the interfaces ------------------------------------------------------------------------- */
 
 /* Keeps all vectors of a node of an element one of whose vectors is touched. */
@@ -147,22 +149,42 @@ static enum hobe_status take_constraint_modes(struct cut *cut, double *side, str
     return status;
 }
 
-static enum hobe_status take_normal_modes(struct cut *cut, int wanted, struct subspace *space,
-                                          struct hobe_error *err)
+/* Finds the lowest modes: *count of them as asked for or, up to a frequency, more and more until
+ * one lies beyond.  As many as the interior has unknowns are not looked for. */
+static enum hobe_status solve_modes(struct cut *cut, const struct hobe_projection *projection,
+                                    long *count, struct hobe_error *err)
 {
-    struct pencil *s = &cut->s;
-    struct hobe_modal_options options = {.modes = wanted};
-    int unstable;
-    enum hobe_status status = pencil_choose(s, &options, err);
-    if (!status)
-        status = pencil_solve(s, &options, &unstable, err);
-    for (int i = 0; !status && i < wanted; i++) {
-        double *x = s->X + i * s->n;
-        for (long j = 0; j < s->n; j++)
+    const int open = projection->frequency > 0;
+    const double most = projection->frequency * projection->frequency;
+    enum hobe_status status = HOBE_OK;
+    long below = 0;
+    *count = open ? FIRST_MODES : projection->modes - cut->boundary;
+    if (cut->interior == 0)
+        *count = 0;
+    for (int again = *count > 0 && (open || *count < cut->interior); !status && again;) {
+        *count = *count < cut->interior ? *count : cut->interior;
+        struct hobe_modal_options options = {.modes = (int)*count};
+        int unstable;
+        status = pencil_choose(&cut->s, &options, err);
+        if (!status)
+            status = pencil_solve(&cut->s, &options, &unstable, err);
+        while (!status && open && below < *count && cut->s.mu[below] <= most)
+            below++;
+        again = open && below == *count && below < cut->interior;
+        if (open)
+            *count = again ? 2 * *count : below;
+    }
+    return status;
+}
+
+static void take_normal_modes(const struct cut *cut, long count, struct subspace *space)
+{
+    for (long i = 0; i < count; i++) {
+        double *x = cut->s.X + i * cut->s.n;
+        for (long j = 0; j < cut->s.n; j++)
             x[j] = cut->kept[j / 3] ? 0 : x[j];
         take(cut, x, space);
     }
-    return status;
 }
 
 static void take_interior(const struct cut *cut, struct subspace *space)
@@ -172,10 +194,12 @@ static void take_interior(const struct cut *cut, struct subspace *space)
             subspace_take_vector(space, i);
 }
 
-static enum hobe_status find_modes(struct cut *cut, int modes, const double *u, double factor,
-                                   struct subspace *space, struct hobe_error *err)
+static enum hobe_status find_modes(struct cut *cut, const struct hobe_projection *projection,
+                                   const double *u, double factor, struct subspace *space,
+                                   struct hobe_error *err)
 {
-    const long sides = cut->boundary + cut->multipliers, wanted = modes - cut->boundary;
+    const long sides = cut->boundary + cut->multipliers;
+    long count;
     double *side = hobe_alloc((size_t)(sides * cut->s.n), sizeof *side, err);
     if (!side)
         return HOBE_NO_MEMORY;
@@ -184,11 +208,25 @@ static enum hobe_status find_modes(struct cut *cut, int modes, const double *u, 
     hold_interfaces(cut);
     enum hobe_status status = take_constraint_modes(cut, side, space, err);
     hobe_free(side);
-    if (!status && wanted >= cut->interior)
+    if (!status)
+        status = solve_modes(cut, projection, &count, err);
+    if (!status && count >= cut->interior)
         take_interior(cut, space);
-    else if (!status && wanted > 0)
-        status = take_normal_modes(cut, (int)wanted, space, err);
+    else if (!status)
+        take_normal_modes(cut, count, space);
     return status;
+}
+
+/* What is asked for is there. */
+static enum hobe_status check(const struct cut *cut, const struct hobe_projection *projection,
+                              struct hobe_error *err)
+{
+    if (projection->frequency > 0 || projection->modes >= cut->boundary)
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "modes of a projection must be at least %ld, one for each displacement of the "
+                     "nodes at joints, springs and loads, got %d",
+                     cut->boundary, projection->modes);
 }
 
 enum hobe_status component_modes(struct hobe_model *model, const struct hobe_projection *projection,
@@ -199,17 +237,15 @@ enum hobe_status component_modes(struct hobe_model *model, const struct hobe_pro
     enum hobe_status status = mass_check(model, "a projection by component modes", NULL, err);
     if (!status)
         status = open_cut(&cut, err);
-    if (!status && projection->modes < cut.boundary)
-        status = hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                           "modes of a projection must be at least %ld, one for each displacement "
-                           "of the nodes at joints, springs and loads, got %d",
-                           cut.boundary, projection->modes);
     if (!status)
-        status = subspace_open(
-            space, model, scale,
-            cut.multipliers + (projection->modes < cut.s.n ? projection->modes : cut.s.n), err);
+        status = check(&cut, projection, err);
+    const long most = cut.interior + cut.boundary;
+    const int all = projection->frequency > 0 || projection->modes > most;
     if (!status)
-        status = find_modes(&cut, projection->modes, u, factor, space, err);
+        status = subspace_open(space, model, scale,
+                               cut.multipliers + (all ? most : projection->modes), err);
+    if (!status)
+        status = find_modes(&cut, projection, u, factor, space, err);
     close_cut(&cut);
     return status;
 }

@@ -18,7 +18,8 @@ enum hobe_status component_interfaces(const struct hobe_model *model, unsigned c
                                       struct hobe_error *err);
 
 /* Fills the space with the modes about the displacements u[vectors][3], loads with the given
- * factor: projection->modes of both kinds, those of interfaces first, and the multipliers.
+ * factor: projection->modes of both kinds, those of interfaces first, or the normal ones up to
+ * projection->frequency, and the multipliers.
  * HOBE_BAD_INPUT where these are less than the interfaces have, or a beam has no mass. */
 enum hobe_status component_modes(struct hobe_model *model, const struct hobe_projection *projection,
                                  const double *u, double factor, const double *scale,

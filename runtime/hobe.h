@@ -696,6 +696,7 @@ enum hobe_projection_method {
 struct hobe_projection {
     enum hobe_projection_method method;
     int modes;        /* how many; of snapshots 0: as many as `accuracy` asks for */
+    double frequency; /* of components: or all normal modes up to this, rad/s */
     double deviation; /* of components in motion: displacements, relative to the scene's size in
                          the norm of the mass, after which modes are found again; 0: 0.1 */
     double accuracy;  /* of snapshots: the share of them, in the norm of the scaled displacements,
@@ -1191,8 +1192,9 @@ double hobe_modes_factor(const hobe_modes *modes, int i);
 typedef struct hobe_reduced hobe_reduced;
 
 enum hobe_reduce_method {
-    HOBE_REDUCE_SERIES, /* derivatives of the paths under the loads, of higher and higher order */
-    HOBE_REDUCE_MODES,  /* lowest vibration modes, static responses, and their derivatives */
+    HOBE_REDUCE_SERIES, /* where paths under the loads of interest lead: their principal fields */
+    HOBE_REDUCE_MODES,  /* lowest vibration modes, and where paths under their forces of inertia
+                           and the loads lead besides */
     HOBE_REDUCE_FIELDS  /* the fields that are given, dependent ones left out */
 };
 
@@ -1237,6 +1239,21 @@ void hobe_reduced_info(const hobe_reduced *reduced, struct hobe_reduced_info *in
  * refers to both, which must outlive it. */
 enum hobe_status hobe_reduced_model(const hobe_reduced *reduced, hobe_model *model,
                                     hobe_model **small, struct hobe_error *err);
+
+/* What a reduced model has to beat: the model itself on the coarsest mesh that has about as many
+ * unknowns, an element to each beam at least.  Both errors are of displacements at places along the
+ * beams, on the axis and at a corner of the section's extent, over the largest of them, beside the
+ * state with all that it lacks (the corrections of the indicator). */
+struct hobe_coarse {
+    int elements; /* of all beams; 0: such a mesh has no equilibrium, supports that are no nodes of
+                     it, or bodies, or the state is out of reach of the indicator */
+    long unknowns;
+    double error, reduced; /* of the mesh, and of the reduced model */
+};
+
+/* Of an equilibrium of a reduced model (hobe_reduced_model). */
+enum hobe_status hobe_reduced_coarse(const hobe_model *small, const hobe_solution *state,
+                                     struct hobe_coarse *coarse, struct hobe_error *err);
 
 /* The basis as bytes, for a file, in *bytes, which the caller frees by hobe_free; and from such,
  * for the model it was made of.  HOBE_BAD_INPUT where the bytes are damaged or of another model. */

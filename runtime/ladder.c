@@ -194,7 +194,7 @@ static double difference(double x, double truth)
     return truth != 0 ? fabs(x - truth) / fabs(truth) : fabs(x);
 }
 
-/* Says the reference model: the case's word for it, with so many elements (0: as it says). */
+/* Says the reference model: the case's words for it, with so many elements. */
 static void say_reference(const struct ladder_record *record, double elements,
                           struct hobe_text *words)
 {

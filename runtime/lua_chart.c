@@ -73,11 +73,20 @@ static void add_value(lua_State *L, struct hobe_text *text, const char *what)
     lua_settop(L, top);
 }
 
-/* "quantity" lines of the names in a list, with their truth where there is a table of it. */
-static void add_quantities(lua_State *L, struct hobe_text *text, int list, int truth)
+/* The table that key `name` of the chart at index 1 holds, its index; 0 where it is left out. */
+static int push_table(lua_State *L, const char *name)
+{
+    hobe_lua_push_key(L, 1, &chart_schema, name);
+    return lua_istable(L, -1) ? lua_gettop(L) : 0;
+}
+
+/* "quantity" lines of the names in a list, with their truth where there is a table of it; how many
+ * have one. */
+static int add_quantities(lua_State *L, struct hobe_text *text, int list, int truth)
 {
     const int top = lua_gettop(L);
     const lua_Integer count = (lua_Integer)hobe_lua_list_size(L, list, "chart: quantities");
+    int found = 0;
     for (lua_Integer i = 1; i <= count; i++, lua_settop(L, top)) {
         double value = NAN;
         lua_rawgeti(L, list, i);
@@ -86,7 +95,24 @@ static void add_quantities(lua_State *L, struct hobe_text *text, int list, int t
         if (truth && lua_getfield(L, truth, name) != LUA_TNIL)
             value = hobe_lua_number(L, -1, what);
         hobe_text_add(text, "quantity\t%s\t%a\n", name, value);
+        found += !isnan(value);
     }
+    return found;
+}
+
+/* Those of the chart at index 1; whether it names any. */
+static int read_quantities(lua_State *L, struct hobe_text *text)
+{
+    const int truth = push_table(L, "truth");
+    int list = push_table(L, "quantities"), known = 0;
+    if (truth) {
+        push_names(L, truth, "truth");
+        known = (int)lua_rawlen(L, -1);
+        list = list ? list : lua_gettop(L);
+    }
+    if (list && add_quantities(L, text, list, truth) < known)
+        hobe_lua_fail(L, "chart: truth has a name that is not among the quantities");
+    return list && lua_rawlen(L, list) > 0;
 }
 
 /* A line `word` with name and value, or values, of each parameter in the table at `index`. */
@@ -112,13 +138,6 @@ static void add_parameters(lua_State *L, struct hobe_text *text, int index, cons
     lua_settop(L, top);
 }
 
-/* The table that key `name` of the chart at index 1 holds, its index; 0 where it is left out. */
-static int push_table(lua_State *L, const char *name)
-{
-    hobe_lua_push_key(L, 1, &chart_schema, name);
-    return lua_istable(L, -1) ? lua_gettop(L) : 0;
-}
-
 /* hobe.chart{quantities =, truth =, doubt =, ladder =, reference =} */
 static int chart(lua_State *L)
 {
@@ -127,14 +146,7 @@ static int chart(lua_State *L)
     lua_settop(L, 1);
     hobe_lua_read(L, 1, &chart_schema, &read);
     hobe_text_free(text); /* the last one counts */
-    const int truth = push_table(L, "truth");
-    int list = push_table(L, "quantities");
-    if (!list && truth) {
-        push_names(L, truth, "truth");
-        list = lua_gettop(L);
-    }
-    if (list)
-        add_quantities(L, text, list, truth);
+    const int named = read_quantities(L, text);
     hobe_text_add(text, "doubt\t%a\n", read.doubt);
     const int reference = push_table(L, "reference");
     if (reference)
@@ -151,7 +163,7 @@ static int chart(lua_State *L)
         lua_settop(L, ladder);
     }
     hobe_lua_check_text(L, text);
-    if (!hobe_lua_context(L)->ask)
+    if (!hobe_lua_context(L)->ask || !named) /* without names the report tells them */
         return 0;
     lua_pushlightuserdata(L, hobe_lua_context(L));
     return lua_error(L);

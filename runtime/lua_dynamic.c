@@ -266,6 +266,16 @@ static void read_start(lua_State *L, struct hobe_dynamic *options)
     lua_pop(L, 1);
 }
 
+/* That of the last state, the largest of all. */
+static double last_indicator(const hobe_history *history)
+{
+    struct hobe_history_info info;
+    struct hobe_solution_info last;
+    hobe_history_info(history, &info);
+    hobe_solution_info(hobe_history_state(history, info.states - 1), &last);
+    return last.indicator;
+}
+
 /* Warns where a fixed step was too long. */
 static void warn_of_steps(lua_State *L, const hobe_history *history)
 {
@@ -324,7 +334,7 @@ static int solve_dynamic(lua_State *L)
     context->cost.solve += info.seconds;
     if (context->program && context->folder)
         write_rows(context, history->history);
-    hobe_lua_note_reduced(L, NAN);
+    hobe_lua_note_reduced(L, last_indicator(history->history), NULL);
     if (options.dynamic.rho > 0.9)
         hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
                          "motions with joints may fail");

@@ -62,15 +62,17 @@ struct hobe_lua_scene {
 struct hobe_lua_reduced {
     struct hobe_lua_scene scene; /* its model is the reduced one */
     hobe_reduced *reduced;
-    int owned; /* and freed with it */
+    int owned;    /* and freed with it */
+    int compared; /* with a coarse mesh */
 };
 
 /* The scene, or reduced model, that is the first argument of a verb; raises where it is none. */
 struct hobe_lua_scene *hobe_lua_read_scene(lua_State *L, const char *verb);
 
-/* Says with the results that the first argument was reduced, if it is, and what the indicator of
- * the result is, unless NaN. */
-void hobe_lua_note_reduced(lua_State *L, double indicator);
+/* Says with the results that the first argument was reduced, if it is, what the indicator of the
+ * result is, unless NaN, and, of the first equilibrium, what a coarse mesh would be worth; state
+ * NULL: of none. */
+void hobe_lua_note_reduced(lua_State *L, double indicator, const hobe_solution *state);
 
 /* The keys material = {...}, fit for struct hobe_material. */
 extern const struct hobe_lua_schema hobe_lua_material_schema;

@@ -311,7 +311,7 @@ static int find(lua_State *L, const struct hobe_lua_schema *schema, find_modes *
     struct hobe_modes_info info;
     hobe_modes_info(modes->modes, &info);
     hobe_lua_context(L)->cost.solve += info.seconds;
-    hobe_lua_note_reduced(L, NAN);
+    hobe_lua_note_reduced(L, NAN, NULL);
     if (hobe_modes_note(modes->modes))
         hobe_lua_note(L, "%s", hobe_modes_note(modes->modes));
     return 1;

@@ -11,6 +11,8 @@ static const struct hobe_lua_key keys[] = {
     KEY(struct hobe_projection, modes, KEY_WHOLE, KEY_WITHIN(1, 1e6),
         .doc = "how many, those of interfaces included; of `pod` as many as `accuracy` asks for "
                "where left out"),
+    KEY(struct hobe_projection, frequency, KEY_NUMBER, KEY_ABOVE(0), .unit = "rad/s",
+        .doc = "of `cms`, in place of modes: all normal modes up to it"),
     KEY(struct hobe_projection, deviation, KEY_NUMBER, KEY_ABOVE(0), .fallback = 0.1,
         .doc = "of `cms` in motion: displacements, relative to the scene's size, after which modes "
                "are found again; an angle, rad, where the scene turns"),
@@ -55,7 +57,7 @@ const struct hobe_projection *hobe_lua_finish_projection(lua_State *L,
                              : "projection: training is for method \"pod\"");
     if (pod)
         read_training(L, lua_gettop(L), projection);
-    else if (projection->modes == 0)
-        hobe_lua_fail(L, "projection: method \"cms\" needs modes, how many");
+    else if ((projection->modes > 0) == (projection->frequency > 0))
+        hobe_lua_fail(L, "projection: method \"cms\" needs modes, how many, or a frequency");
     return projection;
 }

@@ -48,19 +48,39 @@ struct hobe_lua_scene *hobe_lua_read_scene(lua_State *L, const char *verb)
     return scene;
 }
 
-void hobe_lua_note_reduced(lua_State *L, double indicator)
+/* A coarse mesh beside it, which it should beat. */
+static void note_coarse(lua_State *L, struct hobe_lua_reduced *r, const hobe_solution *state)
+{
+    struct hobe_coarse coarse;
+    struct hobe_error err;
+    r->compared = 1;
+    if (hobe_reduced_coarse(r->scene.model, state, &coarse, &err))
+        hobe_lua_raise(L, &err);
+    if (coarse.elements > 0)
+        hobe_lua_note(L, "a mesh of %d element%s, %ld unknowns: error %.1e, reduced %.1e",
+                      coarse.elements, coarse.elements == 1 ? "" : "s", coarse.unknowns,
+                      coarse.error, coarse.reduced);
+}
+
+void hobe_lua_note_reduced(lua_State *L, double indicator, const hobe_solution *state)
 {
     static const char *const methods[] = {"series", "modes", "fields"};
-    const struct hobe_lua_reduced *r = luaL_testudata(L, 1, HOBE_LUA_REDUCED);
+    struct hobe_lua_reduced *r = luaL_testudata(L, 1, HOBE_LUA_REDUCED);
     struct hobe_reduced_info info;
-    char text[60] = "";
+    char text[120] = "";
     if (!r)
         return;
     hobe_reduced_info(r->reduced, &info);
     if (isfinite(indicator))
         snprintf(text, sizeof text, ", indicator %.1e", indicator);
+    else if (isinf(indicator))
+        snprintf(text, sizeof text,
+                 ", indicator infinite: the result means nothing; take more "
+                 "modes, its load into loads, or a nearer centre");
     hobe_lua_note(L, "reduced: %s, %d unknowns of %ld, offline %.2g s%s", methods[info.method],
                   info.unknowns, info.whole, info.seconds, text);
+    if (state && !r->compared)
+        note_coarse(L, r, state);
 }
 
 /* ---- making them ------------------------------------------------------------------------------
@@ -79,8 +99,8 @@ static const struct hobe_lua_key reduce_keys[] = {
     REDUCE(accuracy, KEY_NUMBER, KEY_FROM(0),
            .doc = "of displacements under the loads of interest, relative to their size"),
     REDUCE(method, KEY_CHOICE, .choices = "series|modes", .word = "series",
-           .doc = "`series`: derivatives of the paths under the loads; `modes`: the lowest "
-                  "vibration modes with what they bring about"),
+           .doc = "`series`: where the paths under the loads lead; `modes`: the lowest "
+                  "vibration modes with what they and the loads bring about"),
     KEY_OF_LIST("loads", .doc = "scenes of the same beams and supports whose loads are of "
                                 "interest, too"),
     REDUCE(centre, KEY_RESULT,

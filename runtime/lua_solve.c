@@ -517,12 +517,17 @@ static void warn_unstable(lua_State *L, const hobe_solution *solution)
     hobe_lua_warn(L, text);
 }
 
-/* Warns of each beam whose mesh is too coarse. */
+/* Warns of each beam whose mesh is too coarse.  Few unknowns balance loads on few fields only, and
+ * have an indicator of their own. */
 static void warn_mesh(lua_State *L, const hobe_solution *solution, const hobe_model *model)
 {
+    struct hobe_solution_info info;
     struct hobe_error err;
     char text[600];
     const char *beam;
+    hobe_solution_info(solution, &info);
+    if (info.projected > 0 || info.indicator != 0)
+        return;
     for (int b = 0; (beam = hobe_model_beam_name(model, b)); b++) {
         if (hobe_solution_mesh_warning(solution, beam, text, sizeof text, &err))
             hobe_lua_raise(L, &err);
@@ -678,7 +683,7 @@ static int solve_static(lua_State *L)
     hobe_lua_context(L)->cost.factorisations += info.factorisations;
     hobe_lua_context(L)->cost.solve += info.seconds;
     note_change(L, info.change);
-    hobe_lua_note_reduced(L, info.indicator);
+    hobe_lua_note_reduced(L, info.indicator, *solution);
     const char *beam;
     for (int b = 0; (beam = hobe_model_beam_name(scene->model, b)); b++)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
@@ -791,7 +796,7 @@ static void push_path(lua_State *L, hobe_path *path, const hobe_model *model)
         lua_rawseti(L, -2, i + 1);
     }
     note_change(L, change);
-    hobe_lua_note_reduced(L, indicator);
+    hobe_lua_note_reduced(L, indicator, NULL);
     lua_pushstring(L, ends[info.end]);
     lua_setfield(L, -2, "ended");
     set_number(L, "solve_seconds", info.seconds);

@@ -277,7 +277,8 @@ enum outcome solver_judge(struct solver *s, double norm, double last_norm)
 
 enum outcome solver_measure(struct solver *s)
 {
-    const double size = solver_norm(s, s->u, -1);
+    const double centre = s->model->reduction ? reduction_centre(s->model) : 0;
+    const double size = hypot(solver_norm(s, s->u, -1), centre);
     s->info.change = size > 0 ? correction_norm(s) / size : 0;
     if (s->info.change <= LOST)
         return CONVERGED;
@@ -664,7 +665,8 @@ static enum hobe_status find(struct solver *s, struct hobe_error *err)
 static enum hobe_status count_negative(struct solver *s, struct hobe_error *err)
 {
     long negative = 1;
-    if (s->K.layout != FRONTS || s->model->spun || load_follower(s->model))
+    if (s->K.layout != FRONTS || s->model->spun || load_follower(s->model) ||
+        s->options.projection || s->options.linear)
         return HOBE_OK;
     if (s->info.factorisations > 0 && s->factored == FRONTS && solver_negative(s, &negative, err))
         return err ? err->status : HOBE_NO_MEMORY;

@@ -249,10 +249,17 @@ double reduction_energy(const hobe_model *model, const double *u)
     return quartic_energy(&model->reduction->of->quartic, u);
 }
 
+double reduction_centre(const hobe_model *model)
+{
+    const struct reduction *r = model->reduction;
+    memset(r->dense, 0, (size_t)r->n * sizeof *r->dense);
+    return sqrt(2 * fmax(0, quartic_energy(&r->of->quartic, r->dense)));
+}
+
 void reduction_round_off(const hobe_model *model, const double *u, double *f)
 {
     const struct reduction *r = model->reduction;
-    double *moved = r->dense, *at = r->dense + r->n; /* n >= 2, or 1 and there is room */
+    double *moved = r->dense, *at = r->dense + r->n; /* which has room for both */
     memset(f, 0, (size_t)(3 * model->vectors) * sizeof *f);
     memset(at, 0, (size_t)r->n * sizeof *at);
     for (long j = 0; j < r->n; j++)
@@ -615,7 +622,7 @@ static enum hobe_status allocate(struct reduction *r, struct hobe_error *err)
     r->v = hobe_alloc(size, sizeof *r->v, err);
     r->f = hobe_alloc(size, sizeof *r->f, err);
     r->all = hobe_alloc(size, sizeof *r->all, err);
-    r->dense = hobe_alloc(n * n + 1, sizeof *r->dense, err);
+    r->dense = hobe_alloc(n * n + n, sizeof *r->dense, err);
     r->scale = hobe_alloc((size_t)(3 * r->whole->unknowns), sizeof *r->scale, err);
     return r->mass && r->position && r->weight && r->u && r->v && r->f && r->all && r->dense &&
                    r->scale

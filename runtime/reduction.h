@@ -30,7 +30,7 @@ struct reduction {
                                 basis keeps by itself: they are spare */
     long drops;              /* how many */
     struct matrix K;         /* of the vectors touched, then bodies and multipliers */
-    double *dense, *product; /* [n][n]; [3 touched][n] */
+    double *dense, *product; /* [n][n], and n more; [3 touched][n] */
     double *scale;           /* [3 unknowns] of the whole model */
     long *place[LAYOUTS];    /* [unknowns][unknowns] where the block (i, j) lies: column j first */
 };
@@ -81,6 +81,10 @@ void reduction_project(const hobe_model *model, double factor, const double *F, 
 /* f = dU/dq and K = d2U/dq2 unless NULL, overwritten; U, J. */
 void reduction_elastic(const hobe_model *model, const double *u, double *f, const struct matrix *K);
 double reduction_energy(const hobe_model *model, const double *u);
+
+/* |D^-1 u| of the centre, by its energy: a root of J, as coordinates are in a basis that is normal
+ * in the stiffness. */
+double reduction_centre(const hobe_model *model);
 
 /* f = by how much dU/dq changes where the state is changed in its last digits: what rounding leaves
  * of it. */

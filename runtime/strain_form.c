@@ -96,7 +96,7 @@ static enum hobe_status find_sizes(const hobe_model *model, long *vectors, long 
     return HOBE_OK;
 }
 
-/* A += S'Q S of a batch. */
+/* A += S'Q S of a batch.  Of a centre the first pair is (u_c, x0 + x_c), not (x_c, x_c). */
 static void add_batch(const struct form *form, const struct beam *beam, const struct batch *batch)
 {
     const struct hobe_invariants *inv = hobe_element_invariants(batch->law);

@@ -102,6 +102,10 @@ echo 'require("hobe").param("elements", 1)' >silent.lua
 echo 'require("hobe").param("elements", 1) require("hobe").report{ u = 1 }' >still.lua
 echo 'require("hobe").chart{ ladder = {{ element = {{}} }} }' >wrong.lua
 echo 'require("hobe").chart{ doubt = -1 }' >doubt.lua
+echo 'require("hobe").chart{ quantities = { "u" }, truth = { v = 1 } }' >truth.lua
+sed 's/truth = .*/ladder = {{ elements = { 1, 2 } }},/; /^  ladder = {$/,/^  },/d' case.lua >early.lua
+"$hobe" chart early.lua --quick --format csv | grep -q '^model,.*,error of v,largest error' ||
+    complain "a chart without names does not take those of the report"
 printf 'hobe = require "hobe"\nwhile hobe.param("elements", 1) > 0 do pcall(hobe.kernel) end\n' >ever.lua
 refuses 2 'which case? hobe chart CASE'
 refuses 2 'unknown option or missing value: --slow' case.lua --slow
@@ -114,6 +118,7 @@ refuses 1 'the case has no ladder: it needs' none.lua
 refuses 1 'the case reports no value' silent.lua
 refuses 1 'all 6 models fail, elements=1 with: it solves no scene' still.lua
 refuses 1 'wrong.lua:1: chart: element must be a number, string or boolean, got a table' wrong.lua
+refuses 1 'truth.lua:1: chart: truth has a name that is not among' truth.lua
 refuses 1 'doubt.lua:1: chart: doubt must be' doubt.lua
 refuses 1 'it takes more than 1 s of processor time' ever.lua --limit 1
 

@@ -84,6 +84,8 @@ static void torsion(const struct hobe_beam *beam, double moment, int modes, doub
     hobe_reduced *reduced = reduce(model, &(struct hobe_reduce){.modes = modes});
     check_that(unknowns_of(reduced) <= modes, "%s: %d unknowns of %d", what, unknowns_of(reduced),
                modes);
+    struct hobe_coarse coarse;
+    struct hobe_error err;
     for (int i = 0; i < 3; i++) {
         const double share = i == 0 ? 1 : random_real(0.1, 0.9);
         hobe_model *other = twisted(beam, share * moment), *small = small_of(reduced, other);
@@ -93,6 +95,10 @@ static void torsion(const struct hobe_beam *beam, double moment, int modes, doub
         check_relative(twist_of(is), expected, 1e-3, "%s: twist at %g of the moment", what, share);
         check_that(i > 0 || expected > turns, "%s: %g rad", what, expected);
         check_that(info_of(is).indicator < 1e-3, "%s: indicator %g", what, info_of(is).indicator);
+        expect_ok(hobe_reduced_coarse(small, is, &coarse, &err), &err);
+        check_that(coarse.elements > 0 && coarse.reduced < 1e-3 && coarse.error > 1e-2,
+                   "%s: %d elements err by %g, reduced by %g", what, coarse.elements, coarse.error,
+                   coarse.reduced);
         hobe_solution_free(whole);
         hobe_solution_free(is);
         hobe_model_free(small);
@@ -155,12 +161,33 @@ static void all_angles(const struct hobe_beam *beam, int modes, double in_twist)
     hobe_model_free(along);
 }
 
+/* About a state that the load leads to the basis has that among its fields, and comes back. */
+static void about_a_state(const struct hobe_beam *beam)
+{
+    hobe_model *full = princeton(beam, 0.5), *half = cantilever(beam, 0);
+    add_force(half, "beam", 1, 0, -6 * sin(0.5), -6 * cos(0.5));
+    hobe_solution *centre = solve(full, 1), *whole = solve(half, 1);
+    hobe_reduced *reduced = reduce(full, &(struct hobe_reduce){.modes = 9, .centre = centre});
+    hobe_model *small = small_of(reduced, half);
+    hobe_solution *is = solve_by(small, HOBE_METHOD_NEWTON, 1);
+    check_that(unknowns_of(reduced) <= 9, "with the centre: %d unknowns", unknowns_of(reduced));
+    check_absolute(apart(whole, is), 0, 1e-5, "back from a state");
+    hobe_solution_free(is);
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_solution_free(centre);
+    hobe_solution_free(whole);
+    hobe_model_free(half);
+    hobe_model_free(full);
+}
+
 static void angles(void)
 {
     hobe_section *section = rectangle(3.2024e-3, 12.377e-3);
     const struct hobe_beam beam = beam_along_x("MGD30w", 12, section, 71.7e9, 0.31, 0.508);
     all_angles(&beam, 20, 1.5e-2);
     all_angles(&beam, 27, 1e-3);
+    about_a_state(&beam);
     hobe_section_free(section);
 }
 

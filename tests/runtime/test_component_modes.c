@@ -193,6 +193,28 @@ static void test_small_loads(const hobe_section *section)
     hobe_model_free(model);
 }
 
+/* Up to a frequency: with its end held, the cantilever has the modes of a beam clamped twice. */
+static void test_frequency(const hobe_section *section)
+{
+    const double frequency = pow(10, random_real(3.5, 6)); /* some to all of them */
+    const struct hobe_beam beam = bar(section, 5);
+    hobe_model *model = cantilever(&beam, 0), *twice = cantilever(&beam, 0);
+    add_force(model, "beam", 1, 0, 0, 1e-6);
+    add_clamp(twice, "beam", 1, 0);
+    hobe_modes *modes = modes_of(twice, NULL, 78, HOBE_MODAL_DENSE);
+    int below = 0;
+    while (below < 78 && mode_of(modes, below).omega <= frequency)
+        below++;
+    hobe_solution *few =
+        solve_projected(model, 1, &(struct hobe_projection){.frequency = frequency});
+    check_that(info_of(few).projected == 12 + below, "%ld fields up to %g rad/s, %d modes",
+               info_of(few).projected, frequency, below);
+    hobe_solution_free(few);
+    hobe_modes_free(modes);
+    hobe_model_free(model);
+    hobe_model_free(twice);
+}
+
 /* A mesh so fine that Lanczos' method finds the modes; of a small weight, which is no load on
  * interfaces, the lowest leave out little: the static response falls off as omega^-2 of modes that
  * are further and further apart. */
@@ -471,6 +493,7 @@ int main(void)
     test_interfaces(section);
     test_rigid_motions(section);
     test_small_loads(section);
+    test_frequency(section);
     test_fine_mesh(section);
     test_all_modes(section);
     test_more_steps(section);

@@ -384,6 +384,24 @@ static void keeps_supports(const hobe_section *section)
     hobe_model_free(whole);
 }
 
+/* A basis about an equilibrium has it whatever its fields are. */
+static void about_a_state(const hobe_section *section)
+{
+    hobe_model *whole = loaded(section, 0);
+    hobe_solution *a = rest(whole);
+    hobe_reduced *reduced = reduce(whole, &(struct hobe_reduce){.modes = 3, .centre = a});
+    hobe_model *small = small_of(reduced, whole);
+    hobe_solution *b = rest(small);
+    same = SAME;
+    same_field(whole, a->u, b->u, "centre");
+    check_that(info_of(b).change < same, "centre: its change is %g", info_of(b).change);
+    hobe_solution_free(a);
+    hobe_solution_free(b);
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_model_free(whole);
+}
+
 /* u = (R - 1) q, R the turn by an angle about a random axis. */
 static void turn(const hobe_model *model, const double *q, double angle, double *u)
 {
@@ -516,6 +534,7 @@ int main(void)
     retains_modes(section, 0);
     retains_modes(section, 1);
     keeps_supports(section);
+    about_a_state(section);
     turns(section);
     files(section);
     hobe_section_free(section);
