@@ -12,7 +12,10 @@
 /* Principal fields are orthogonal; one that is none any more when its image is taken anew, is
  * nothing but what rounding has left. */
 static const double ROUNDED = 0.1;
-static const double INDEPENDENT = 1e-5;
+
+/* A share of a function, as its stiffest field has it, is a larger one of the soft fields that it
+ * is a part of: of a beam's bending by the slenderness. */
+static const double INDEPENDENT = 1e-5, INDEPENDENT_FUNCTION = 1e-6;
 
 static size_t field_size(const struct span *span)
 {
@@ -186,7 +189,7 @@ static void orthonormalise(struct span *span, long first, double share)
 
 void span_orthonormalise(struct span *span, long first)
 {
-    orthonormalise(span, first, INDEPENDENT);
+    orthonormalise(span, first, span->group > 1 ? INDEPENDENT_FUNCTION : INDEPENDENT);
 }
 
 /* G[m][m] = the products of the fields from `first` on. */

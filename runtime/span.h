@@ -46,7 +46,7 @@ void span_combine(struct span *span, long i, double factor, long j);
 void span_normalise(struct span *span, long i);
 
 /* Makes the fields from `first` on orthonormal to those before them and one another, in turn;
- * those that depend on them, but for 1e-5, are dropped. */
+ * those that depend on them, but for 1e-5, of functions 1e-6, are dropped. */
 void span_orthonormalise(struct span *span, long first);
 
 /* Replaces the fields from `first` on by their principal ones, orthonormal, those first that hold
