@@ -220,9 +220,12 @@ static int extrapolate(const double *D, int stride, double *limit, double *ratio
 }
 
 /* What a sequence tends to, and by how much that may be off: by its last step, less where its order
- * shows, and where two orders agree by what they differ in. */
-static void find_limit(int count, const double *D, int stride, double *limit, double *open,
-                       double *ratio)
+ * shows, and where two orders agree by what they differ in.  Two terms say little: of the
+ * difference of two levels twice their step, and of a quantity itself, whose step may vanish by
+ * chance, nothing.
+ */
+static void find_limit(int is_step, int count, const double *D, int stride, double *limit,
+                       double *open, double *ratio)
 {
     const double *last = D + (count - 1) * stride;
     double earlier, earlier_ratio;
@@ -232,7 +235,8 @@ static void find_limit(int count, const double *D, int stride, double *limit, do
     if (count < 2)
         return;
     const double step = fabs(last[0] - last[-stride]);
-    *open = step;
+    if (count > 2 || is_step)
+        *open = count > 2 ? step : 2 * step;
     if (count < 3)
         return;
     if (!extrapolate(last - 2 * stride, stride, limit, ratio)) {
@@ -245,17 +249,19 @@ static void find_limit(int count, const double *D, int stride, double *limit, do
         *open = fmin(*open, fmax(fabs(*limit - earlier), 0.2 * fabs(*limit - *last)));
 }
 
-static void find_limits(const struct search *s, struct sequence *of)
+static void find_limits(const struct search *s, int which, struct sequence *of)
 {
     const int n = s->problem->quantities;
     for (int i = 0; i < n; i++)
-        find_limit(of->count, of->term + i, n, of->limit + i, of->open + i, of->ratio + i);
+        find_limit(which == STEP, of->count, of->term + i, n, of->limit + i, of->open + i,
+                   of->ratio + i);
 }
 
 /* Adds a term: a - b, b NULL: 0.  A sequence begins anew where a mesh is missing. */
-static void add_term(const struct search *s, struct sequence *to, int elements, const double *a,
-                     const double *b)
+static void add_term(const struct search *s, struct level *level, int which, int elements,
+                     const double *a, const double *b)
 {
+    struct sequence *to = level->of + which;
     const int n = s->problem->quantities;
     if (to->count > 0 && to->mesh[to->count - 1] >= elements)
         return;
@@ -265,7 +271,7 @@ static void add_term(const struct search *s, struct sequence *to, int elements, 
     for (int i = 0; i < n; i++)
         term[i] = a[i] - (b ? b[i] : 0);
     to->mesh[to->count++] = elements;
-    find_limits(s, to);
+    find_limits(s, which, to);
 }
 
 /* Runs a level on a mesh, and adds what that tells of it and the next; *ran: whether it does. */
@@ -278,7 +284,7 @@ static enum hobe_status add_mesh(struct search *s, int l, int elements, int *ran
     *ran = own != NULL;
     if (status || !own)
         return status;
-    add_term(s, &s->level[l].of[OWN], elements, own->value, NULL);
+    add_term(s, &s->level[l], OWN, elements, own->value, NULL);
     for (int above = l; above <= l + 1 && above < s->levels; above++) {
         if (above == 0)
             continue;
@@ -286,7 +292,7 @@ static enum hobe_status add_mesh(struct search *s, int l, int elements, int *ran
                                              plain(s->level[above - 1].kernel, elements)};
         const struct advise_trial *a = find_trial(s, &pair[0]), *b = find_trial(s, &pair[1]);
         if (a && b && !a->failed && !b->failed)
-            add_term(s, &s->level[above].of[STEP], elements, a->value, b->value);
+            add_term(s, &s->level[above], STEP, elements, a->value, b->value);
     }
     return HOBE_OK;
 }
@@ -368,7 +374,7 @@ static struct advise_loss loss_of(const struct search *s, const double *a, const
     struct advise_loss loss = {0, 0};
     for (int i = 0; i < s->problem->quantities; i++) {
         const double size = fabs(a[i] - (b ? b[i] : 0)) / s->scale[i];
-        if (!(size <= loss.size))
+        if (isfinite(s->scale[i]) && !(size <= loss.size))
             loss = (struct advise_loss){size, i};
     }
     return loss;

@@ -263,6 +263,15 @@ run 0 elements
 has stdout '^MGD30w +3 +39 +5 +[0-9]+ +average +1 y z w$'
 run 0 elements --explain MGD30w
 has stdout 'node 3 \(x/l = 1\): value of the coefficient of w'
+has stdout 'tensor 3713 \(taken\), 20165 \(taken\) at 1.5, 1.8 times the speed'
+run 0 elements --explain 34X3    # whose tensor is too large for the force alone
+has stdout 'straight, symmetric in y and z: section [0-9]+ \(taken\), [0-9]+; tensor .*\(taken\)'
+export HOBE_PLAN=fastest
+run 1 run beam.lua
+has stderr 'HOBE_PLAN in the environment is "fastest"; it must be "section", "tensor" or "points"'
+HOBE_PLAN=points
+run 0 run beam.lua
+unset HOBE_PLAN
 run 1 elements --explain MGD31w
 run 0 docs
 has stdout '^### `hobe.beam\{'

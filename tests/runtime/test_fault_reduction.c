@@ -5,6 +5,9 @@
 #include "fault.h"
 #include "scene.h"
 
+#include <math.h>
+#include <stdlib.h>
+
 static enum hobe_status add_items(hobe_model *model, const hobe_section *section,
                                   struct hobe_error *err)
 {
@@ -54,6 +57,23 @@ static enum hobe_status solve_all(hobe_model *model, struct hobe_error *err)
     return status;
 }
 
+/* Any two fields: making better ones has its own test. */
+static enum hobe_status reduce(hobe_model *model, hobe_reduced **reduced, struct hobe_error *err)
+{
+    struct hobe_model_info info;
+    const enum hobe_status status = hobe_model_build(model, err);
+    if (status)
+        return status;
+    hobe_model_info(model, &info);
+    double *field = calloc((size_t)(6 * info.vectors), sizeof *field);
+    for (long i = 0; i < 6 * info.vectors; i++)
+        field[i] = sin((double)i);
+    const struct hobe_reduce options = {.method = HOBE_REDUCE_FIELDS, .field = field, .fields = 2};
+    const enum hobe_status made = hobe_reduce(model, &options, reduced, err);
+    free(field);
+    return made;
+}
+
 static enum hobe_status go(void *section, struct hobe_error *err)
 {
     hobe_model *model = hobe_model_new(err), *small = NULL;
@@ -62,7 +82,7 @@ static enum hobe_status go(void *section, struct hobe_error *err)
     size_t size;
     enum hobe_status status = model ? add_items(model, section, err) : HOBE_NO_MEMORY;
     if (!status)
-        status = hobe_reduce(model, &(struct hobe_reduce){.modes = 2}, &reduced, err);
+        status = reduce(model, &reduced, err);
     if (!status)
         status = hobe_reduced_write(reduced, &bytes, &size, err);
     if (!status)
