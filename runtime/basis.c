@@ -314,6 +314,15 @@ static enum hobe_status check_closed(const struct hobe_reduce *o, struct hobe_er
     return HOBE_OK;
 }
 
+/* In space by functions, whose energy takes fewer numbers. */
+static enum hobe_status close_span(struct span *span, long first, const struct hobe_reduce *o,
+                                   struct hobe_error *err)
+{
+    if (basis_of_functions(o->closed, o->centre != NULL))
+        span->group = 3;
+    return closure_add(span, first, o->closed, o->normal, err);
+}
+
 enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
                             struct basis *basis, struct hobe_error *err)
 {
@@ -334,7 +343,7 @@ enum hobe_status basis_make(hobe_model *full, const struct hobe_reduce *options,
     if (!status && o.centre && o.method != HOBE_REDUCE_FIELDS)
         status = add_centre(&s.span, o.centre, err);
     if (!status && o.closed)
-        status = closure_add(&s.span, o.closed, o.normal, err);
+        status = close_span(&s.span, 0, &o, err);
     if (!status)
         take(&s.span, basis);
     close_source(&s);
@@ -350,10 +359,10 @@ enum hobe_status basis_add(struct basis *basis, hobe_model *full, const struct h
         status = span_add(&span, basis->field + i * 3 * full->vectors, err);
     if (!status)
         status = span_add(&span, field, err);
-    if (!status)
+    if (!status && options->closed)
+        status = close_span(&span, basis->n, options, err);
+    else if (!status)
         span_orthonormalise(&span, basis->n);
-    if (!status && options->closed && span.n > basis->n)
-        status = closure_add(&span, options->closed, options->normal, err);
     if (!status) {
         basis_free(basis);
         take(&span, basis);

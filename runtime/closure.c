@@ -8,13 +8,14 @@
 
 enum { MOST_MAPS = 9 };
 
-/* The maps, [count][3][3]: e_b e_a' in space; P and [n]x in a plane. */
+/* The maps, [count][3][3]: e_b e_a' in space, a function's three in a row; P and [n]x in a plane.
+ */
 static int list_maps(int closed, const double normal[3], double map[MOST_MAPS][3][3])
 {
     memset(map, 0, sizeof(double[MOST_MAPS][3][3]));
     if (closed == 3) {
         for (int i = 0; i < MOST_MAPS; i++)
-            map[i][i / 3][i % 3] = 1;
+            map[i][i % 3][i / 3] = 1;
         return MOST_MAPS;
     }
     const double length = length3(normal);
@@ -54,7 +55,7 @@ static int is_held(const hobe_model *model)
     return 0;
 }
 
-enum hobe_status closure_add(struct span *span, int closed, const double normal[3],
+enum hobe_status closure_add(struct span *span, long first, int closed, const double normal[3],
                              struct hobe_error *err)
 {
     const hobe_model *model = span->model;
@@ -67,7 +68,7 @@ enum hobe_status closure_add(struct span *span, int closed, const double normal[
         return HOBE_NO_MEMORY;
     double *u = image + size;
     enum hobe_status status = HOBE_OK;
-    for (long j = 0; !status && j < given; j++) {
+    for (long j = first; !status && j < given; j++) {
         memcpy(u, span->field + j * 3 * model->vectors, size * sizeof *u);
         status = add_images(span, u, maps, (const double(*)[3][3])map, image, err);
     }
@@ -80,7 +81,10 @@ enum hobe_status closure_add(struct span *span, int closed, const double normal[
         status = add_images(span, u, maps, (const double(*)[3][3])map, image, err);
     }
     hobe_free(image);
-    if (!status)
-        span_orthonormalise(span, given);
-    return status;
+    if (status)
+        return status;
+    if (span->group > 1)
+        span_drop(span, first, given);
+    span_orthonormalise(span, first);
+    return HOBE_OK;
 }

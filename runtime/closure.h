@@ -7,10 +7,13 @@
 
 #include "span.h"
 
-/* Adds to orthonormal fields what closes their space: under all maps in space (closed: 3), or those
- * of a plane, given by its normal (2).  Where nothing is held, so that all may turn, with the
- * reference and the translations. */
-enum hobe_status closure_add(struct span *span, int closed, const double normal[3],
+/* Adds to the fields from `first` on what closes their space: under all maps in space (closed: 3),
+ * or those of a plane, given by its normal (2).  Where nothing is held, so that all may turn, with
+ * the reference and the translations.  Those before are closed and orthonormal; then all are.
+ *
+ * In a span of functions, whose group is 3, those of the components along x, y and z take the place
+ * of the fields: psi e_a for all a, as many independent ones. */
+enum hobe_status closure_add(struct span *span, long first, int closed, const double normal[3],
                              struct hobe_error *err);
 
 #endif

@@ -1206,7 +1206,8 @@ struct hobe_reduce {
                         under others (HOBE_NOT_CONVERGED).  0: modes say */
     const hobe_solution *centre; /* u_c: a state of the model, copied; NULL: the reference */
     int closed; /* 0; 3: with each field its components along all axes, so that any rotation of the
-                   whole is in the basis; 2: those along the axes of a plane */
+                   whole is in the basis, and the polynomial one of fewer terms unless there is a
+                   centre; 2: those along the axes of a plane */
     double normal[3];         /* of that plane */
     hobe_model *const *loads; /* [load_count] models of the same beams and supports whose loads are
                                  of interest beside those of the model */

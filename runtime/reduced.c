@@ -88,13 +88,60 @@ static enum hobe_status copy_centre(struct hobe_reduced *r, const hobe_solution 
     return HOBE_OK;
 }
 
+/* ---- energy ---------------------------------------------------------------------------------- */
+
+static int has_functions(const struct hobe_reduced *r)
+{
+    return basis_of_functions(r->info.closed, r->centre != NULL);
+}
+
+/* Of the functions psi_b, the x components of every third field. */
+static enum hobe_status open_closed(struct hobe_reduced *r, struct hobe_error *err)
+{
+    const long n = r->basis.n / 3, vectors = r->model->vectors;
+    double *function = hobe_alloc((size_t)(n * vectors), sizeof *function, err);
+    if (!function)
+        return HOBE_NO_MEMORY;
+    for (long b = 0; b < n; b++)
+        for (long v = 0; v < vectors; v++)
+            function[b * vectors + v] = r->basis.field[3 * (3 * b * vectors + v)];
+    const enum hobe_status status = quartic_closed_open(&r->closed, r->model, n, function, err);
+    hobe_free(function);
+    return status;
+}
+
+static enum hobe_status open_energy(struct hobe_reduced *r, struct hobe_error *err)
+{
+    return has_functions(r)
+               ? open_closed(r, err)
+               : quartic_open(&r->quartic, r->model, r->centre, r->basis.n, r->basis.field, err);
+}
+
+static void close_energy(struct hobe_reduced *r)
+{
+    quartic_close(&r->quartic);
+    quartic_closed_close(&r->closed);
+}
+
+double reduced_energy(const struct hobe_reduced *r, const double *q)
+{
+    return has_functions(r) ? quartic_closed_energy(&r->closed, q) : quartic_energy(&r->quartic, q);
+}
+
+void reduced_add(const struct hobe_reduced *r, const double *q, double *f, double *K)
+{
+    if (has_functions(r))
+        quartic_closed_add(&r->closed, q, f, K);
+    else
+        quartic_add(&r->quartic, q, f, K);
+}
+
 enum hobe_status reduced_finish(struct hobe_reduced *r, double started, struct hobe_error *err)
 {
     enum hobe_status status = reduced_fingerprint(r->model, &r->fingerprint, err);
-    quartic_close(&r->quartic);
-    r->quartic = (struct quartic){0};
+    close_energy(r);
     if (!status)
-        status = quartic_open(&r->quartic, r->model, r->centre, r->basis.n, r->basis.field, err);
+        status = open_energy(r, err);
     r->info.unknowns = (int)r->basis.n;
     r->info.whole = 3 * r->model->unknowns;
     r->info.seconds = hobe_seconds() - started;
@@ -134,7 +181,7 @@ void hobe_reduced_free(hobe_reduced *r)
 {
     if (!r)
         return;
-    quartic_close(&r->quartic);
+    close_energy(r);
     basis_free(&r->basis);
     hobe_free(r->centre);
     hobe_free(r);

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-static const char MAGIC[8] = "hobeRED1";
+static const char MAGIC[8] = "hobeRED2";
 
 struct head {
     char magic[8];

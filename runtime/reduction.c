@@ -239,21 +239,21 @@ void reduction_elastic(const hobe_model *model, const double *u, double *f, cons
         pattern_clear(model, K);
         memset(r->dense, 0, (size_t)(r->n * r->n) * sizeof *r->dense);
     }
-    quartic_add(&r->of->quartic, u, f, K ? r->dense : NULL);
+    reduced_add(r->of, u, f, K ? r->dense : NULL);
     if (K)
         add_dense(model, r->dense, K);
 }
 
 double reduction_energy(const hobe_model *model, const double *u)
 {
-    return quartic_energy(&model->reduction->of->quartic, u);
+    return reduced_energy(model->reduction->of, u);
 }
 
 double reduction_centre(const hobe_model *model)
 {
     const struct reduction *r = model->reduction;
     memset(r->dense, 0, (size_t)r->n * sizeof *r->dense);
-    return sqrt(2 * fmax(0, quartic_energy(&r->of->quartic, r->dense)));
+    return sqrt(2 * fmax(0, reduced_energy(r->of, r->dense)));
 }
 
 void reduction_round_off(const hobe_model *model, const double *u, double *f)
@@ -264,8 +264,8 @@ void reduction_round_off(const hobe_model *model, const double *u, double *f)
     memset(at, 0, (size_t)r->n * sizeof *at);
     for (long j = 0; j < r->n; j++)
         moved[j] = u[j] * (1 + (j % 2 ? DBL_EPSILON : -DBL_EPSILON));
-    quartic_add(&r->of->quartic, u, at, NULL);
-    quartic_add(&r->of->quartic, moved, f, NULL);
+    reduced_add(r->of, u, at, NULL);
+    reduced_add(r->of, moved, f, NULL);
     for (long j = 0; j < r->n; j++)
         f[j] -= at[j];
 }

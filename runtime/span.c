@@ -12,7 +12,10 @@
 /* Principal fields are orthogonal; one that is none any more when its image is taken anew, is
  * nothing but what rounding has left. */
 static const double ROUNDED = 0.1;
-static const double INDEPENDENT = 1e-5;
+
+/* A share of a function, as its stiffest field has it, is a larger one of the soft fields that it
+ * is a part of: of a beam's bending by the slenderness. */
+static const double INDEPENDENT = 1e-5, INDEPENDENT_FUNCTION = 1e-6;
 
 static size_t field_size(const struct span *span)
 {
@@ -27,7 +30,7 @@ static long unknowns(const struct span *span)
 enum hobe_status span_open(struct span *span, hobe_model *model, const double *u,
                            struct hobe_error *err)
 {
-    *span = (struct span){.model = model};
+    *span = (struct span){.model = model, .group = 1};
     enum hobe_status status = pattern_columns(model, err);
     if (!status)
         status = pattern_matrix(model, COLUMNS, &span->K, err);
@@ -99,7 +102,7 @@ enum hobe_status span_add(struct span *span, const double *field, struct hobe_er
 }
 
 /* image_i . field_j over the beams' unknowns */
-double span_product(const struct span *span, long i, long j)
+static double product_of_fields(const struct span *span, long i, long j)
 {
     const hobe_model *model = span->model;
     const double *image = span->image + i * unknowns(span);
@@ -108,6 +111,14 @@ double span_product(const struct span *span, long i, long j)
     for (long v = 0; v < model->beam_vectors; v++)
         if (model->alias[v] == v && model->unknown[v] >= 0)
             sum += dot3(image + 3 * model->unknown[v], field + 3 * v);
+    return sum;
+}
+
+double span_product(const struct span *span, long i, long j)
+{
+    double sum = 0;
+    for (long a = 0; a < span->group; a++)
+        sum += product_of_fields(span, i + a, j + a);
     return sum;
 }
 
@@ -120,8 +131,8 @@ static void axpy(long n, double factor, const double *x, double *y)
 void span_combine(struct span *span, long i, double factor, long j)
 {
     const long N = 3 * span->model->vectors, n = unknowns(span);
-    axpy(N, factor, span->field + j * N, span->field + i * N);
-    axpy(n, factor, span->image + j * n, span->image + i * n);
+    axpy(span->group * N, factor, span->field + j * N, span->field + i * N);
+    axpy(span->group * n, factor, span->image + j * n, span->image + i * n);
 }
 
 static double length_of(const struct span *span, long i)
@@ -140,15 +151,23 @@ void span_normalise(struct span *span, long i)
 static void take_parts(struct span *span, long count, long i)
 {
     for (int again = 0; again < 2; again++)
-        for (long j = 0; j < count; j++)
+        for (long j = 0; j < count; j += span->group)
             span_combine(span, i, -span_product(span, i, j), j);
 }
 
-static void move(struct span *span, long to, long from)
+static void move(struct span *span, long to, long from, long count)
 {
-    const long size = 3 * span->model->vectors, n = unknowns(span);
-    memmove(span->field + to * size, span->field + from * size, (size_t)size * sizeof(double));
-    memmove(span->image + to * n, span->image + from * n, (size_t)n * sizeof(double));
+    const size_t size = field_size(span), n = (size_t)unknowns(span), fields = (size_t)count;
+    memmove(span->field + (size_t)to * size, span->field + (size_t)from * size,
+            fields * size * sizeof(double));
+    memmove(span->image + (size_t)to * n, span->image + (size_t)from * n,
+            fields * n * sizeof(double));
+}
+
+void span_drop(struct span *span, long first, long end)
+{
+    move(span, first, end, span->n - end);
+    span->n -= end - first;
 }
 
 /* Drops what is no longer than a share of what it was. */
@@ -156,21 +175,21 @@ static void orthonormalise(struct span *span, long first, double share)
 {
     const long given = span->n;
     span->n = first;
-    for (long i = first; i < given; i++) {
+    for (long i = first; i < given; i += span->group) {
         const long to = span->n;
-        move(span, to, i);
+        move(span, to, i, span->group);
         const double before = length_of(span, to);
         take_parts(span, to, to);
         if (!(length_of(span, to) > share * before))
             continue;
         span_normalise(span, to);
-        span->n++;
+        span->n += span->group;
     }
 }
 
 void span_orthonormalise(struct span *span, long first)
 {
-    orthonormalise(span, first, INDEPENDENT);
+    orthonormalise(span, first, span->group > 1 ? INDEPENDENT_FUNCTION : INDEPENDENT);
 }
 
 /* G[m][m] = the products of the fields from `first` on. */

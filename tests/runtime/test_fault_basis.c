@@ -40,6 +40,8 @@ int main(void)
         check_stop("%s", err.message);
     struct make make = {model, {.accuracy = 1e-5, .modes = 6}};
     fail_each_allocation(reduce, &make, 100, 1000, "accuracy");
+    make.options = (struct hobe_reduce){.accuracy = 1e-3, .modes = 2, .closed = 3};
+    fail_each_allocation(reduce, &make, 100, 1000, "accuracy, closed");
     make.model = unloaded;
     make.options = (struct hobe_reduce){.method = HOBE_REDUCE_MODES, .modes = 1, .closed = 3};
     fail_each_allocation(make_basis, &make, 50, 1000, "modes");

@@ -109,7 +109,7 @@ static hobe_solution *rest(hobe_model *model)
 static void same_at_rest(hobe_model *whole, hobe_model *small, const char *what)
 {
     hobe_solution *a = rest(whole), *b = rest(small);
-    same_field(whole, a->u, b->u, what);
+    same_field(a->model, a->u, b->u, what);
     check_relative(info_of(b).energy, info_of(a).energy, 10 * same, "%s: energy", what);
     check_relative(info_of(b).smallest_volume, info_of(a).smallest_volume, same, "%s: volume",
                    what);
@@ -167,8 +167,8 @@ static void same_motion(hobe_model *whole, hobe_model *small, double to, const c
 {
     hobe_history *a = move(whole, to, 20), *b = move(small, to, 20);
     const hobe_solution *x = hobe_history_state(a, 1), *y = hobe_history_state(b, 1);
-    same_field(whole, x->u, y->u, what);
-    same_field(whole, x->v, y->v, what);
+    same_field(x->model, x->u, y->u, what);
+    same_field(x->model, x->v, y->v, what);
     same_energies(hobe_history_energies(a, 1), hobe_history_energies(b, 1), what);
     hobe_history_free(a);
     hobe_history_free(b);
@@ -318,8 +318,8 @@ static void spins(const hobe_section *section)
 /* ---- bases of few fields --------------------------------------------------------------------- */
 
 /* Vibration modes in the basis are modes of the reduced model, with the same frequencies; `given`:
- * as fields, or by the method that takes them first. */
-static void retains_modes(const hobe_section *section, int given)
+ * as fields, or by the method that takes them first; and in the closure of these. */
+static void retains_modes(const hobe_section *section, int given, int closed)
 {
     enum { MODES = 2 };
     struct hobe_beam beam = soft_beam(section, 2);
@@ -328,13 +328,14 @@ static void retains_modes(const hobe_section *section, int given)
     const struct hobe_reduce options = {.method = given ? HOBE_REDUCE_FIELDS : HOBE_REDUCE_MODES,
                                         .modes = given ? 0 : 4 * MODES,
                                         .field = a->shape,
-                                        .fields = MODES};
+                                        .fields = MODES,
+                                        .closed = closed};
     hobe_reduced *reduced = reduce(whole, &options);
     hobe_model *small = small_of(reduced, whole);
     hobe_modes *b = modes_of(small, NULL, MODES, HOBE_MODAL_AUTO);
     for (int i = 0; i < MODES; i++)
-        check_relative(mode_of(b, i).omega, mode_of(a, i).omega, SAME, "mode %d%s", i,
-                       given ? ", given" : "");
+        check_relative(mode_of(b, i).omega, mode_of(a, i).omega, SAME, "mode %d%s%s", i,
+                       given ? ", given" : "", closed ? ", closed" : "");
     hobe_modes_free(a);
     hobe_modes_free(b);
     hobe_model_free(small);
@@ -385,11 +386,12 @@ static void keeps_supports(const hobe_section *section)
 }
 
 /* A basis about an equilibrium has it whatever its fields are. */
-static void about_a_state(const hobe_section *section)
+static void about_a_state(const hobe_section *section, int closed)
 {
     hobe_model *whole = loaded(section, 0);
     hobe_solution *a = rest(whole);
-    hobe_reduced *reduced = reduce(whole, &(struct hobe_reduce){.modes = 3, .centre = a});
+    hobe_reduced *reduced =
+        reduce(whole, &(struct hobe_reduce){.modes = 3, .centre = a, .closed = closed});
     hobe_model *small = small_of(reduced, whole);
     hobe_solution *b = rest(small);
     same = SAME;
@@ -430,9 +432,8 @@ static double largest_force(const hobe_model *model, const double *x, double sha
     return largest;
 }
 
-/* A beam that floats, in the smallest basis closed under rotations: turned as a whole it feels no
- * force, and flying it keeps its momenta. */
-static void turns(const hobe_section *section)
+/* A beam that floats. */
+static hobe_model *flying(const hobe_section *section)
 {
     struct hobe_error err;
     struct hobe_beam beam = soft_beam(section, 2);
@@ -441,6 +442,15 @@ static void turns(const hobe_section *section)
     add_beam(whole, &beam);
     random_direction(motion.angular_velocity);
     expect_ok(hobe_model_motion(whole, &motion, &err), &err);
+    return whole;
+}
+
+/* In the smallest basis closed under rotations: turned as a whole it feels no force, and flying it
+ * keeps its momenta. */
+static void turns(const hobe_section *section)
+{
+    struct hobe_error err;
+    hobe_model *whole = flying(section);
     expect_ok(hobe_model_build(whole, &err), &err);
     const size_t size = (size_t)(3 * whole->vectors);
     double *q = calloc(2 * size, sizeof *q), *u = q + size, left;
@@ -449,12 +459,16 @@ static void turns(const hobe_section *section)
         whole,
         &(struct hobe_reduce){.method = HOBE_REDUCE_FIELDS, .field = q, .fields = 1, .closed = 3});
     hobe_model *small = small_of(reduced, whole);
-    double *x = calloc((size_t)(3 * small->vectors), sizeof *x);
+    double *x = calloc((size_t)(6 * small->vectors), sizeof *x);
     turn(whole, q, 2, u);
     expect_ok(reduction_fit(small, u, x, &left, &err), &err);
     check_that(left < 1e-10, "%g of a rotation is not in a closed basis", left);
     check_absolute(largest_force(small, x, 1) / largest_force(small, x, 0.9), 0, 1e-10,
                    "forces of a turned beam");
+    for (long i = 0; i < 3 * small->vectors; i++)
+        x[3 * small->vectors + i] = 0.9 * x[i];
+    check_absolute(reduction_energy(small, x) / reduction_energy(small, x + 3 * small->vectors), 0,
+                   1e-10, "energy of a turned beam");
     hobe_history *history = move(small, 0.5, 50);
     const struct hobe_energies *a = hobe_history_energies(history, 0);
     const struct hobe_energies *b = hobe_history_energies(history, 1);
@@ -465,6 +479,86 @@ static void turns(const hobe_section *section)
     hobe_history_free(history);
     free(q);
     free(x);
+    hobe_model_free(small);
+    hobe_reduced_free(reduced);
+    hobe_model_free(whole);
+}
+
+/* ---- bases of functions ---------------------------------------------------------------------- */
+
+/* Energy, forces and tangent on functions, and on their fields as any others: sums of some thousand
+ * products in another order, of which the largest are a hundred times what is left. */
+static void same_energy(const hobe_reduced *reduced)
+{
+    struct hobe_error err;
+    struct quartic general;
+    const long n = reduced->basis.n;
+    expect_ok(quartic_open(&general, reduced->model, NULL, n, reduced->basis.field, &err), &err);
+    double *q = calloc((size_t)(3 * n + 2 * n * n), sizeof *q), size[2] = {0};
+    double *f[2] = {q + n, q + 2 * n}, *K[2] = {q + 3 * n, q + 3 * n + n * n};
+    for (long j = 0; j < n; j++)
+        q[j] = random_real(-1, 1);
+    check_relative(reduced_energy(reduced, q), quartic_energy(&general, q), 1e-12, "energy");
+    reduced_add(reduced, q, f[0], K[0]);
+    quartic_add(&general, q, f[1], K[1]);
+    for (long i = 0; i < n * n; i++) {
+        size[0] = fmax(size[0], i < n ? fabs(f[1][i]) : 0);
+        size[1] = fmax(size[1], fabs(K[1][i]));
+    }
+    for (long i = 0; i < n * n; i++) {
+        if (i < n)
+            check_absolute(f[0][i], f[1][i], 1e-12 * size[0], "force %ld", i);
+        check_absolute(K[0][i], K[1][i], 1e-12 * size[1], "tangent %ld", i);
+    }
+    free(q);
+    quartic_close(&general);
+}
+
+/* A beam that floats, in the closure of two fields, with vectors for coordinates: it moves as in
+ * the same fields taken one by one. */
+static void like_general(const hobe_section *section)
+{
+    enum { FIELDS = 2 };
+    struct hobe_error err;
+    hobe_model *whole = flying(section);
+    add_force(whole, "beam", 1, random_real(-5, 5), random_real(-5, 5), random_real(-5, 5));
+    expect_ok(hobe_model_build(whole, &err), &err);
+    double *field = calloc((size_t)(3 * FIELDS * whole->vectors), sizeof *field);
+    for (long i = 0; i < 3 * FIELDS * whole->vectors; i++)
+        field[i] = random_real(-1, 1);
+    struct hobe_reduce options = {
+        .method = HOBE_REDUCE_FIELDS, .field = field, .fields = FIELDS, .closed = 3};
+    hobe_reduced *closed = reduce(whole, &options);
+    check_that(closed->basis.n % 3 == 0, "functions have three fields each, and all are %ld",
+               closed->basis.n);
+    same_energy(closed);
+    options = (struct hobe_reduce){
+        .method = HOBE_REDUCE_FIELDS, .field = closed->basis.field, .fields = (int)closed->basis.n};
+    hobe_reduced *general = reduce(whole, &options);
+    hobe_model *small = small_of(closed, whole), *other = small_of(general, whole);
+    same = SAME;
+    same_motion(other, small, 0.1, "functions");
+    free(field);
+    hobe_model_free(small);
+    hobe_model_free(other);
+    hobe_reduced_free(closed);
+    hobe_reduced_free(general);
+    hobe_model_free(whole);
+}
+
+/* What an accuracy needs besides are functions, too. */
+static void enriched(const hobe_section *section)
+{
+    hobe_model *whole = loaded(section, 0);
+    hobe_reduced *reduced =
+        reduce(whole, &(struct hobe_reduce){.modes = 2, .accuracy = 1e-4, .closed = 3});
+    hobe_model *small = small_of(reduced, whole);
+    hobe_solution *a = rest(whole), *b = rest(small);
+    same = 1e-4;
+    same_field(whole, a->u, b->u, "enriched functions");
+    same_energy(reduced);
+    hobe_solution_free(a);
+    hobe_solution_free(b);
     hobe_model_free(small);
     hobe_reduced_free(reduced);
     hobe_model_free(whole);
@@ -481,12 +575,13 @@ static void expect_refused(hobe_model *model, const void *bytes, size_t size, co
 }
 
 /* What is written comes back, but not for another beam, nor damaged or cut off. */
-static void files(const hobe_section *section)
+static void files(const hobe_section *section, int closed)
 {
     struct hobe_error err;
     struct hobe_beam beam = soft_beam(section, 2);
     hobe_model *whole = loaded(section, 0);
-    hobe_reduced *reduced = reduce(whole, &(struct hobe_reduce){.modes = 5}), *read;
+    hobe_reduced *reduced = reduce(whole, &(struct hobe_reduce){.modes = 5, .closed = closed}),
+                 *read;
     void *bytes;
     size_t size;
     expect_ok(hobe_reduced_write(reduced, &bytes, &size, &err), &err);
@@ -531,12 +626,17 @@ int main(void)
     loads(section);
     joints(section);
     spins(section);
-    retains_modes(section, 0);
-    retains_modes(section, 1);
+    retains_modes(section, 0, 0);
+    retains_modes(section, 1, 0);
+    retains_modes(section, 0, 3);
     keeps_supports(section);
-    about_a_state(section);
+    about_a_state(section, 0);
+    about_a_state(section, 3);
     turns(section);
-    files(section);
+    like_general(section);
+    enriched(section);
+    files(section, 0);
+    files(section, 3);
     hobe_section_free(section);
     return check_report();
 }
