@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Lets each allocation of a small run fail in turn, up to the Lua line that asked: every run must end
 # with one sentence (after warnings of results it had, from a mesh as coarse as this) and status 1,
-# without a crash, a leak or a file, until one gets through.  Needs a
-# build with the sanitizers, which is where HOBE_FAIL_ALLOCATION means something.
+# without a crash, a leak or a file, until one gets through.  Needs a build with the sanitizers, which
+# is where HOBE_FAIL_ALLOCATION means something.
 set -u
 hobe=$(realpath "${HOBE:?set HOBE to the program}")
 scratch=$(mktemp -d) || exit 1
