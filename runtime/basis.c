@@ -19,7 +19,12 @@
 
 #include <math.h>
 
-enum { DEFAULT_MODES = 12, MOST_MODES = 60, PARTS = 3 /* of a right angle between two loads */ };
+enum {
+    DEFAULT_MODES = 12,
+    MOST_MODES = 60,
+    PARTS = 3,  /* of a right angle between two loads */
+    AHEAD = 40, /* steps of a path that nobody has asked for */
+};
 
 static const double AMPLITUDE = 0.1; /* of modes whose paths are followed: rad, or the length */
 
@@ -28,6 +33,7 @@ struct source {
     const struct hobe_reduce *options;
     struct span span;
     int count;
+    int asked;          /* the first of them, which are loads of interest */
     hobe_model **model; /* [count] whose loads are the directions */
     double *weight;     /* [count] of the mixture at hand */
     hobe_modes *modes;  /* of the method by modes, whose forces of inertia are directions, too */
@@ -43,10 +49,11 @@ static double arc_of(const struct source *s)
 
 /* ---- paths ----------------------------------------------------------------------------------- */
 
-static enum hobe_status follow(hobe_model *model, double arc, hobe_path **path,
+static enum hobe_status follow(hobe_model *model, double arc, int asked, hobe_path **path,
                                struct hobe_error *err)
 {
-    struct hobe_path_options options = {.newton.method = HOBE_METHOD_SERIES, .arc = arc};
+    struct hobe_path_options options = {
+        .newton.method = HOBE_METHOD_SERIES, .arc = arc, .steps = asked ? 0 : AHEAD};
     const enum hobe_status status = hobe_path_follow(model, &options, path, err);
     if (status != HOBE_BAD_INPUT) /* of what has no power series */
         return status;
@@ -54,12 +61,17 @@ static enum hobe_status follow(hobe_model *model, double arc, hobe_path **path,
     return hobe_path_follow(model, &options, path, err);
 }
 
-/* Adds the states along a path, each of unit length. */
-static enum hobe_status add_states(struct span *span, const hobe_path *path, struct hobe_error *err)
+/* Adds the states along a path, each of unit length; of one that nobody has asked for those before
+ * the structure gives way. */
+static enum hobe_status add_states(struct span *span, const hobe_path *path, int asked,
+                                   struct hobe_error *err)
 {
+    const struct hobe_path_event *event = asked ? NULL : hobe_path_event(path, 0);
     const hobe_solution *state;
     enum hobe_status status = HOBE_OK;
     for (int i = 0; !status && (state = hobe_path_point(path, i)); i++) {
+        if (event && i > event->before)
+            break;
         status = span_add(span, state->u, err);
         if (!status)
             span_normalise(span, span->n - 1);
@@ -75,9 +87,9 @@ static enum hobe_status add_path(struct source *s, int asked, struct hobe_error 
     hobe_path *path = NULL;
     enum hobe_status status = mixture_open(&mixture, s->count, s->model, s->weight, err);
     if (!status) {
-        status = follow(&mixture.model, arc_of(s), &path, err);
+        status = follow(&mixture.model, arc_of(s), asked, &path, err);
         if (!status)
-            status = add_states(&s->span, path, err);
+            status = add_states(&s->span, path, asked, err);
         else if (!asked && status != HOBE_NO_MEMORY)
             status = HOBE_OK;
     }
@@ -106,7 +118,7 @@ static enum hobe_status add_paths(struct source *s, struct hobe_error *err)
     enum hobe_status status = HOBE_OK;
     for (int i = 0; !status && i < s->count; i++) {
         s->weight[i] = 1;
-        status = add_path(s, 1, err);
+        status = add_path(s, i < s->asked, err);
         s->weight[i] = -1;
         if (!status && s->count > 1)
             status = add_path(s, 0, err);
@@ -210,6 +222,7 @@ static enum hobe_status open_loads(struct source *s, hobe_model *full, struct ho
                              i + 1);
         s->model[s->count++] = o->loads[i];
     }
+    s->asked = s->count;
     return status;
 }
 
@@ -231,17 +244,29 @@ static double amplitude_of(const hobe_model *model, const double *shape)
     return AMPLITUDE / most;
 }
 
+/* How far mode i goes: with no more energy than the softest, or stiff ones would bend so far that
+ * the structure gives way. */
+static double factor_of(const struct source *s, int i)
+{
+    const hobe_model *model = s->span.model;
+    const double *mu = s->modes->mu;
+    int soft = 0;
+    while (!(mu[soft] > 0))
+        soft++;
+    return fmin(amplitude_of(model, modes_shape(s->modes, i, NULL)),
+                amplitude_of(model, modes_shape(s->modes, soft, NULL)) * sqrt(mu[soft] / mu[i]));
+}
+
 /* Forces of inertia M phi omega^2 s, which s phi answers to the first order. */
 static enum hobe_status open_inertia(struct source *s, int i, struct hobe_error *err)
 {
-    const hobe_model *model = s->span.model;
     const double *shape = modes_shape(s->modes, i, NULL), none = 0;
     struct mixture *to = s->inertia + i;
     s->opened++;
     const enum hobe_status status =
         mixture_open(to, 1, (hobe_model *const[]){s->span.model}, &none, err);
     if (!status)
-        mass_force(model, s->modes->mu[i] * amplitude_of(model, shape), shape, to->dead);
+        mass_force(s->span.model, s->modes->mu[i] * factor_of(s, i), shape, to->dead);
     s->model[s->count++] = &to->model;
     return status;
 }
