@@ -830,9 +830,8 @@ static double tensor_entry(const struct hobe_invariants *inv, const double a[16]
     return sum;
 }
 
-/* Asked once for all equal elements, so small rather than fast. */
-static __attribute__((cold)) void nodal_coefficients(const struct hobe_invariants *inv, int g, int i,
-                                                     int j, int t, int v, double c[3])
+static void nodal_coefficients(const struct hobe_invariants *inv, int g, int i, int j, int t, int v,
+                               double c[3])
 {
     static const int order[3][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}};
     const int k[4] = {mode[i], mode[j], mode[left[t]], mode[left[v]]};
