@@ -458,9 +458,10 @@ static void invariants(struct hobe_invariants *inv, const double (*gauss)[2], in
 }
 
 /* E = sym(F0' H + H' H/2) of section vectors D0 and their changes U, F0 = sum_I D0_I g_I the
- * reference gradient, H = sum_I U_I g_I = du/dX: written with F0 + H/2. */
-static void green_lagrange(const double g[3][S], const double D0[S][3], const double U[S][3],
-                           double *E)
+ * reference gradient, H = sum_I U_I g_I = du/dX: written with F0 + H/2.  Asked for a point at a time,
+ * so small rather than fast. */
+static __attribute__((cold)) void green_lagrange(const double g[3][S], const double D0[S][3],
+                                                 const double U[S][3], double *E)
 {
     static const int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
     double F[3][3] = {{0}}, H[3][3] = {{0}};

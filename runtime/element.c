@@ -485,15 +485,22 @@ double hobe_tensor_speed(const struct hobe_kernel *kernel, int symmetry, int tan
     return (size > cache ? streamed : cached)[tangent];
 }
 
+/* How many times as fast as from station to station. */
+static double tensor_gain(const struct hobe_kernel *kernel, int symmetry, int tangent)
+{
+    const struct hobe_plan_cost *tensor = kernel->tensor_cost + symmetry,
+                                *section = kernel->section_cost + symmetry;
+    const double ratio = tangent ? (double)section->flops_tangent / (double)tensor->flops_tangent
+                                 : (double)section->flops_force / (double)tensor->flops_force;
+    return hobe_tensor_speed(kernel, symmetry, tangent) * ratio;
+}
+
 int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry, int tangent)
 {
     if (!kernel->tensor || !(symmetry & HOBE_SYMMETRIC_X))
         return 0;
-    const struct hobe_plan_cost *tensor = kernel->tensor_cost + symmetry,
-                                *section = kernel->section_cost + symmetry;
-    const double speed = hobe_tensor_speed(kernel, symmetry, tangent);
-    return tangent ? (double)tensor->flops_tangent < speed * (double)section->flops_tangent
-                   : (double)tensor->flops_force < speed * (double)section->flops_force;
+    const double force = tensor_gain(kernel, symmetry, 0), both = tensor_gain(kernel, symmetry, 1);
+    return fmax(force, both) > HOBE_TENSOR_WORTH && (tangent ? both : force) > 1;
 }
 
 /* A straight and prismatic element is given its tensor for the tasks where that is the way to take.

@@ -24,7 +24,9 @@ void hobe_kernel_axes(const struct hobe_kernel *kernel, const double *N, const d
 
 /* Whether force, or force and tangent, of a straight and prismatic element are cheaper as products
  * with its tensor than from station to station, with that symmetry (HOBE_SYMMETRIC_*): by counted
- * operations, of which those with a tensor run so many times as fast. */
+ * operations, of which those with a tensor run so many times as fast.  A tensor takes time to fill:
+ * one of the two must gain HOBE_TENSOR_WORTH times. */
+#define HOBE_TENSOR_WORTH 1.3
 int hobe_tensor_pays(const struct hobe_kernel *kernel, int symmetry, int tangent);
 
 /* That factor, as `hobe bench` measures it (AVX-512): loops over stations have shorter trips, which

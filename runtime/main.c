@@ -358,8 +358,10 @@ static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
         return;
     }
     const int points = points_of_rectangle(k);
-    hobe_text_add(text, "flops of force, and of force and tangent, by each plan; taken is what has "
-                        "least for its speed:\n");
+    hobe_text_add(text,
+                  "flops of force, and of force and tangent, by each plan; taken is what has least "
+                  "for its speed, a tensor where one of the two gains %g times:\n",
+                  HOBE_TENSOR_WORTH);
     hobe_text_add(text,
                   "  by %d points, which polynomials on a rectangle need, to compare: %.0f, %.0f\n",
                   points, points_flops(k->vectors, points, 0), points_flops(k->vectors, points, 1));
