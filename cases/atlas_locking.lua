@@ -62,9 +62,9 @@ local function sweep(title, elements, missing, first)
       if ratio >= first then
         worst = math.max(worst, miss)
         if estimate < 0.01 then unsaid = math.max(unsaid, math.abs(miss)) end
-        table.insert(curves[i].x, math.log(ratio, 10))
-        table.insert(curves[i].y, math.log(math.abs(miss), 10))
-        table.insert(curves[i].estimate, math.log(math.max(estimate, 1e-7), 10))
+        table.insert(curves[i].x, ratio)
+        table.insert(curves[i].y, math.abs(miss))
+        table.insert(curves[i].estimate, math.max(estimate, 1e-7))
       end
     end
     curves[name] = curves[i]
@@ -93,7 +93,8 @@ for colour, name in ipairs{ "BE24", "3333", "MGD30w", "3433", "3333s" } do
 end
 hobe.plot{
   file = "locking.png", title = string.format("%d elements on a quarter of a circle", n),
-  xlabel = "log10 of R/h", ylabel = "log10 of the share that is missing", series = series,
+  xlabel = "R/h", ylabel = "share of the deflection that is missing", series = series,
+  xlog = true, ylog = true,
 }
 
 -- ---- over Poisson's ratio ----------------------------------------------------------------------
