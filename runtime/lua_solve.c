@@ -131,6 +131,7 @@ static const struct hobe_lua_key static_keys[] = {
     {0}};
 
 static const struct hobe_lua_schema static_schema = {"static", static_keys};
+
 /* hobe.static(scene, options) */
 static int solve_static(lua_State *L)
 {
