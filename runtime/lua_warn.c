@@ -31,7 +31,9 @@ static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const
         hobe_lua_raise(L, &err);
     if (warning <= told)
         return told;
-    hobe_lua_warn(L, lua_pushfstring(L, "%s%s", text, when));
+    hobe_lua_warn(L,
+                  warning == HOBE_WARNING_COLLAPSED ? HOBE_LUA_WARN_COLLAPSE : HOBE_LUA_WARN_WALLS,
+                  lua_pushfstring(L, "%s%s", text, when));
     lua_pop(L, 1);
     return warning;
 }
@@ -49,7 +51,7 @@ static void warn_unstable(lua_State *L, const hobe_solution *solution)
              "that there is a critical load below this one; look for it with hobe.buckling or "
              "hobe.path, and disturb the scene a little to find where it goes",
              info.negative, info.negative > 1 ? "s" : "");
-    hobe_lua_warn(L, text);
+    hobe_lua_warn(L, HOBE_LUA_WARN_UNSTABLE, text);
 }
 
 /* Warns of each beam whose mesh is too coarse.  Few unknowns balance loads on few fields only, and
@@ -67,7 +69,7 @@ static void warn_mesh(lua_State *L, const hobe_solution *solution, const hobe_mo
         if (hobe_solution_mesh_warning(solution, beam, text, sizeof text, &err))
             hobe_lua_raise(L, &err);
         if (*text)
-            hobe_lua_warn(L, text);
+            hobe_lua_warn(L, HOBE_LUA_WARN_MESH, text);
     }
 }
 
