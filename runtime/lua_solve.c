@@ -102,6 +102,10 @@ static const struct hobe_lua_field fields[] = {
            "point of a path may be with some where the scene spins (hobe.modal tells); -1: not "
            "counted, as by hobe.static then, and with follower forces.  hobe.static warns where "
            "there are any"),
+    SOLVED("limit_load", solution.limit_load, 'd', NULL,
+           "load factor of the limit point where the path from rest turns, where hobe.static found "
+           "an equilibrium beyond it, which a growing load comes to by a jump, and warned of that; "
+           "0: none was met (not looked for from `start`)"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
@@ -517,6 +521,22 @@ static void warn_unstable(lua_State *L, const hobe_solution *solution)
     hobe_lua_warn(L, text);
 }
 
+/* Warns of an equilibrium that no path leads to. */
+static void warn_jumped(lua_State *L, const hobe_solution *solution)
+{
+    struct hobe_solution_info info;
+    char text[300];
+    hobe_solution_info(solution, &info);
+    if (!(info.limit_load > 0))
+        return;
+    snprintf(text, sizeof text,
+             "the equilibrium is not on the path from rest, which turns at a limit point near load "
+             "factor %.4g: a load that grows jumps from there, here or elsewhere; follow the path "
+             "with hobe.path, and the jump with hobe.dynamic",
+             info.limit_load);
+    hobe_lua_warn(L, text);
+}
+
 /* Warns of each beam whose mesh is too coarse.  Few unknowns balance loads on few fields only, and
  * have an indicator of their own. */
 static void warn_mesh(lua_State *L, const hobe_solution *solution, const hobe_model *model)
@@ -689,6 +709,7 @@ static int solve_static(lua_State *L)
         warn(L, *solution, beam, "", HOBE_WARNING_NONE);
     warn_mesh(L, *solution, scene->model);
     warn_unstable(L, *solution);
+    warn_jumped(L, *solution);
     return 1;
 }
 
