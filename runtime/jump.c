@@ -55,30 +55,32 @@ static int is_convex(double before, double half_way, double after)
     return k + t * (2 * a + t * 3 * b) > 0 && k + 2 * a + 3 * b > 0;
 }
 
-/* Residuals half-way and at the end of the first correction of an iteration without line search. */
+/* Looks at residuals half-way and at the end of the first correction. */
 static void watch_energy(struct solver *s)
 {
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
     struct jump *jump = &s->jump;
     if (s->now.iteration == 0) {
-        memcpy(jump->first, s->x, (size_t)(3 * s->model->unknowns) * sizeof *s->x);
         jump->work[0] = work_along(s);
         solver_move(s, s->x, 0.5);
         solver_evaluate(s, s->factor, NO_TANGENT);
         jump->work[1] = work_along(s);
         memcpy(s->u, s->start, size);
-    } else if (s->now.iteration == 1 && !is_convex(jump->work[0], jump->work[1], work_along(s)))
-        jump->suspected |= 2;
+    } else if (s->now.iteration == 1)
+        jump->suspected = !is_convex(jump->work[0], jump->work[1], work_along(s));
 }
 
 void jump_watch(struct solver *s)
 {
     long negative = 0;
     struct hobe_error err; /* there is none, of fronts */
+    if (s->now.iteration == 0)
+        memcpy(s->jump.first, s->x, (size_t)(3 * s->model->unknowns) * sizeof *s->x);
     if (s->factored == FRONTS)
         solver_negative(s, &negative, &err);
     s->jump.suspected |= negative != 0 || s->factored != s->K.layout;
-    watch_energy(s);
+    if (!s->jump.suspected)
+        watch_energy(s);
 }
 
 /* ---- verification ---------------------------------------------------------------------------- */

@@ -28,7 +28,7 @@ struct jump {
 enum hobe_status jump_open(struct solver *s, struct hobe_error *err);
 void jump_close(struct solver *s);
 
-/* Looks at an iteration that has factors and a correction and has not taken it. */
+/* Looks at an iteration without line search that has factors and a correction and has not taken it. */
 void jump_watch(struct solver *s);
 
 #endif

@@ -326,7 +326,7 @@ enum outcome solver_iterate(struct solver *s, double factor, int line_search,
         const double energy = fabs(work_of(s));
         first_energy = fmax(first_energy, energy);
         s->now.energy = first_energy > 0 ? energy / first_energy : 0;
-        if (s->jump.first)
+        if (s->jump.first && !line_search)
             jump_watch(s);
         if (line_search)
             search_line(s, factor);
