@@ -44,18 +44,7 @@ static double work_along(const struct solver *s)
     return sum;
 }
 
-/* Whether k + 2 a t + 3 b t^2 > 0 for t in [0, 1], the slope of the work -k + k t + a t^2 + b t^3
- * along the first correction, which the residuals give. */
-static int is_convex(double before, double half_way, double after)
-{
-    const double k = -before, A = half_way + k / 2; /* a/4 + b/8 */
-    const double a = 8 * A - after, b = 2 * after - 8 * A;
-    const double at = b > 0 ? -a / (3 * b) : 1; /* the least slope */
-    const double t = fmin(fmax(at, 0), 1);
-    return k + t * (2 * a + t * 3 * b) > 0 && k + 2 * a + 3 * b > 0;
-}
-
-/* Looks at residuals half-way and at the end of the first correction. */
+/* Reads the energy along the first correction from residuals half-way and at its end. */
 static void watch_energy(struct solver *s)
 {
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
@@ -66,8 +55,11 @@ static void watch_energy(struct solver *s)
         solver_evaluate(s, s->factor, NO_TANGENT);
         jump->work[1] = work_along(s);
         memcpy(s->u, s->start, size);
-    } else if (s->now.iteration == 1)
-        jump->suspected = !is_convex(jump->work[0], jump->work[1], work_along(s));
+    } else if (s->now.iteration == 1) {
+        const double k = -jump->work[0], a = 8 * jump->work[1] + 4 * k - work_along(s);
+        jump->turn = a < 0 ? -k / (2 * a) : INFINITY;
+        jump->suspected |= jump->turn < 1;
+    }
 }
 
 void jump_watch(struct solver *s)
@@ -76,11 +68,11 @@ void jump_watch(struct solver *s)
     struct hobe_error err; /* there is none, of fronts */
     if (s->now.iteration == 0)
         memcpy(s->jump.first, s->x, (size_t)(3 * s->model->unknowns) * sizeof *s->x);
+    if (!s->jump.verifying)
+        watch_energy(s);
     if (s->factored == FRONTS)
         solver_negative(s, &negative, &err);
     s->jump.suspected |= negative != 0 || s->factored != s->K.layout;
-    if (!s->jump.suspected)
-        watch_energy(s);
 }
 
 /* ---- verification ---------------------------------------------------------------------------- */
@@ -133,14 +125,16 @@ enum outcome jump_verify(struct solver *s, double from, double to, struct hobe_e
 {
     const size_t size = (size_t)(3 * s->model->vectors);
     const int iterations = s->options.max_iterations;
-    const double step = (to - from) * fmin(FIRST, AIM / disproportion(s));
+    const double step = (to - from) * fmin(FIRST * fmin(1, s->jump.turn), AIM / disproportion(s));
     double reached = from, *found = hobe_alloc(size, sizeof *found, err);
     if (!found)
         return ERROR;
     solver_log(s, "a jump is suspected");
     memcpy(found, s->u, size * sizeof *found);
     s->options.max_iterations = ITERATIONS;
+    s->jump.verifying = 1;
     enum outcome outcome = follow(s, step, to, &reached, err);
+    s->jump.verifying = 0;
     s->options.max_iterations = iterations;
     if (reached < to) {
         memcpy(s->u, found, size * sizeof *found);
