@@ -54,6 +54,22 @@ static void warn_unstable(lua_State *L, const hobe_solution *solution)
     hobe_lua_warn(L, HOBE_LUA_WARN_UNSTABLE, text);
 }
 
+/* Warns of an equilibrium that no path leads to. */
+static void warn_jumped(lua_State *L, const hobe_solution *solution)
+{
+    struct hobe_solution_info info;
+    char text[300];
+    hobe_solution_info(solution, &info);
+    if (!(info.limit_load > 0))
+        return;
+    snprintf(text, sizeof text,
+             "the equilibrium is not on the path from rest, which turns at a limit point near load "
+             "factor %.4g: a load that grows jumps from there, here or elsewhere; follow the path "
+             "with hobe.path, and the jump with hobe.dynamic",
+             info.limit_load);
+    hobe_lua_warn(L, HOBE_LUA_WARN_JUMP, text);
+}
+
 /* Warns of each beam whose mesh is too coarse.  Few unknowns balance loads on few fields only, and
  * have an indicator of their own. */
 static void warn_mesh(lua_State *L, const hobe_solution *solution, const hobe_model *model)
@@ -80,6 +96,7 @@ void hobe_lua_warn_equilibrium(lua_State *L, const hobe_solution *solution, cons
         warn(L, solution, beam, "", HOBE_WARNING_NONE);
     warn_mesh(L, solution, model);
     warn_unstable(L, solution);
+    warn_jumped(L, solution);
 }
 
 /* Warns of each beam of a model at the points of the path on top of the stack, where it gets worse.
