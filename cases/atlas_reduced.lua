@@ -1,5 +1,4 @@
--- Atlas of failures: reduced models against their number of modes and the distance from where they
--- were made, and under a load that they were not made for.
+-- Atlas of failures: reduced models against their modes and the distance from where they were made.
 --
 -- A square cantilever of 16 elements of MGD30w under an end torque; the basis holds the
 -- derivatives of the path at rest.  Each result brings an indicator, what the displacements may
