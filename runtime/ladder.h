@@ -154,6 +154,10 @@ enum hobe_status ladder_make_rungs(const struct ladder_options *options,
                                    const struct ladder_record *record, struct ladder *ladder,
                                    struct hobe_error *err);
 double ladder_most(const struct ladder *ladder);
+
+/* Axes whose values make a word of `hobe run --model` in a case that has no ladder, and that word
+ * itself; NULL at the end. */
+extern const char *const ladder_model_axis[];
 char *ladder_copy(const char *text, struct hobe_error *err);
 void ladder_free_groups(struct ladder *ladder);
 

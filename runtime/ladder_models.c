@@ -103,14 +103,13 @@ static enum hobe_status read_groups(const struct ladder_record *record, int quic
 
 /* ---- models of any case --------------------------------------------------------------------- */
 
-/* Axes whose values make a word of `hobe run --model`, and that word itself. */
 enum { ELEMENT, ELEMENTS, INTEGRATION, MODEL, PARTS };
-static const char *const part_name[PARTS] = {"element", "elements", "integration", "--model"};
+const char *const ladder_model_axis[] = {"element", "elements", "integration", "--model", NULL};
 
 static int part_of(const char *name)
 {
     int p = 0;
-    while (p < PARTS && strcmp(part_name[p], name))
+    while (p < PARTS && strcmp(ladder_model_axis[p], name))
         p++;
     return p;
 }
@@ -133,11 +132,11 @@ static enum hobe_status make_usual(int quick, struct ladder *ladder, struct hobe
     for (int i = 0; i < MESHES; i++)
         meshes[i] = mesh[i];
     struct ladder_group *group = ladder->group;
-    enum hobe_status status = set_axis(group, part_name[ELEMENT], kernels, name, 1, err);
+    enum hobe_status status = set_axis(group, ladder_model_axis[ELEMENT], kernels, name, 1, err);
     if (!status)
-        status = set_axis(group, part_name[ELEMENTS], MESHES, meshes, quick ? 2 : 1, err);
+        status = set_axis(group, ladder_model_axis[ELEMENTS], MESHES, meshes, quick ? 2 : 1, err);
     if (!status)
-        status = set_axis(group, part_name[INTEGRATION], 1, integration, 1, err);
+        status = set_axis(group, ladder_model_axis[INTEGRATION], 1, integration, 1, err);
     hobe_free(name);
     return status;
 }

@@ -135,6 +135,7 @@ refuses 1 'all 5 models fail, .* with: the case has no parameter "Q"' case.lua Q
 refuses 1 'all 1 models fail, --model=BE24:2 with: it solves no scene' none.lua --model=BE24:2
 refuses 1 'a model is ELEMENT:ELEMENTS' none.lua --model=BE24
 refuses 1 'the ladder of the case is empty' empty.lua
+refuses 1 'the case has no parameter "Q", did you mean "P"?$' plain.lua Q=3 elements=1,2
 refuses 1 'the case reports no value' silent.lua
 refuses 1 'all 2 models fail, --model=3333:1 with: it solves no scene' still.lua element=3333 \
     elements=1,2
