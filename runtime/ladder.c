@@ -36,7 +36,7 @@ static enum hobe_status add_quantity(struct ladder *ladder, const char *name, do
                                      struct hobe_error *err)
 {
     struct ladder_quantity *quantity = &ladder->quantity[ladder->quantities++];
-    *quantity = (struct ladder_quantity){ladder_copy(name, err), NULL, truth, NAN, 0, NAN};
+    *quantity = (struct ladder_quantity){ladder_copy(name, err), NULL, truth, NAN, NAN, 0, 0};
     return quantity->name ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
@@ -362,7 +362,7 @@ static int take_expected(struct ladder *ladder)
         if (isnan(quantity->truth) && ladder->common.size == 0 && !isnan(quantity->expect)) {
             quantity->truth = quantity->expect;
             if (!doubted && quantity->within > 0)
-                ladder->doubt = fmax(ladder->doubt, quantity->within);
+                quantity->doubt = quantity->within;
         }
         known = known && !isnan(quantity->truth);
     }
@@ -389,6 +389,8 @@ static void weigh(const struct ladder *ladder, struct ladder_rung *rung)
     for (int q = 0; q < ladder->quantities; q++) {
         rung->error[q] = fabs(rung->value[q] - ladder->quantity[q].truth) / ladder_scale(ladder, q);
         rung->worst = fmax(rung->worst, rung->error[q]);
+        rung->excess =
+            fmax(rung->excess, rung->error[q] - fmax(ladder->doubt, ladder->quantity[q].doubt));
     }
 }
 
@@ -407,9 +409,8 @@ static void draw_front(struct ladder *ladder)
 {
     double best = INFINITY;
     for (int i = 0; i < ladder->rungs && !ladder->rung[i].why; i++) {
-        const double error = fmax(ladder->rung[i].worst, ladder->doubt);
-        ladder->rung[i].front = error < best;
-        best = fmin(best, error);
+        ladder->rung[i].front = ladder->rung[i].excess < best;
+        best = fmin(best, ladder->rung[i].excess);
     }
 }
 

@@ -55,8 +55,9 @@ double ladder_number(const char *word);
 struct ladder_quantity {
     char *name, *unit;    /* unit: NULL before a run has told it */
     double truth, expect; /* NaN where not known */
-    double open;          /* how far a converged run may be off, absolute; 0 of other truths */
     double within;        /* how far from `expect` the case calls right, as hobe_value's; or NaN */
+    double doubt;         /* that, where the truth is what is expected; 0 else */
+    double open;          /* how far a converged run may be off, absolute; 0 of other truths */
 };
 
 /* A parameter and the values that it takes, in turn. */
@@ -87,7 +88,7 @@ struct ladder_rung {
     char *kind;            /* its element, or the value of its first axis: what it is drawn as */
     char *why;             /* the sentence it failed with; NULL: it did not */
     double *value, *error; /* [quantities]; errors over ladder_scale */
-    double worst;          /* the largest of them */
+    double worst, excess;  /* the largest of them; of what they are above the doubt of the truth */
     int rounds;
     double sample[LADDER_TIMES][LADDER_ROUNDS]; /* [.][rounds] s */
     struct bench_time time[LADDER_TIMES];
@@ -112,7 +113,7 @@ struct ladder {
     struct ladder_group *group;
     struct ladder_rung *rung; /* in the order of their cost, failures last, once climbed */
     struct ladder_reference reference;
-    double doubt;            /* of the truth, relative: errors below it say nothing */
+    double doubt;            /* of all truths, relative: errors below it say nothing */
     struct hobe_text common; /* " P=10": words that all runs share, each after a blank */
 };
 

@@ -21,7 +21,8 @@ static const struct hobe_lua_key chart_keys[] = {
                        "is their `expect` where parameters beyond the ladder's are at their "
                        "defaults, else a converged run"),
     KEY(struct chart, doubt, KEY_NUMBER, KEY_FROM(0),
-        .doc = "uncertainty of the truth, relative: errors below it count alike"),
+        .doc = "uncertainty of the truth, relative: errors below it count alike; left out, that "
+               "of what is expected is its `within`"),
     KEY_OF_LIST("ladder",
                 .doc = "a list of tables `{parameter = {value, value, ...}, ...}`: each is a group "
                        "of models, all combinations of these values of parameters of the case.  "
