@@ -726,18 +726,21 @@ struct hobe_newton {
 
 struct hobe_solution_info {
     int steps, iterations, cutbacks, factorisations;
-    double load;     /* load factor reached: 1 of hobe_static */
-    double time;     /* s, of drives, histories and hobe_dynamic */
-    int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
-                        stable, as it may be with some where the scene spins (hobe_modal tells);
-                        -1: not counted, as by hobe_static then, and with follower forces */
-    double residual; /* of the last iteration */
-    double change;   /* of the displacements by a last correction, beyond what tolerance asked for,
-                        relative to their size, in the norm sum u^2 K_0 over the diagonal of the
-                        stiffness at rest; it is taken, and round-off leaves less than that open (by
-                        series, which leave it, so much); NaN where the stiffness has no factors */
-    double energy;   /* strain energy, that of springs included, J */
-    long projected;  /* unknowns of a projection, multipliers included; 0: none */
+    double load;       /* load factor reached: 1 of hobe_static */
+    double time;       /* s, of drives, histories and hobe_dynamic */
+    int negative;      /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
+                          stable, as it may be with some where the scene spins (hobe_modal tells);
+                          -1: not counted, as by hobe_static then, and with follower forces */
+    double limit_load; /* the load factor of a limit point on the path from rest, beyond which the
+                          equilibrium lies on another branch, which a load that grows comes to by a
+                          jump; 0: none was met (jump.h; not looked for from options.start) */
+    double residual;   /* of the last iteration */
+    double change;  /* of the displacements by a last correction, beyond what tolerance asked for,
+                       relative to their size, in the norm sum u^2 K_0 over the diagonal of the
+                       stiffness at rest; it is taken, and round-off leaves less than that open (by
+                       series, which leave it, so much); NaN where the stiffness has no factors */
+    double energy;  /* strain energy, that of springs included, J */
+    long projected; /* unknowns of a projection, multipliers included; 0: none */
     int linearisations; /* how often its modes were found */
     double outside;     /* residual of the full model, most of which a projection does not see */
     double

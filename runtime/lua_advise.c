@@ -212,7 +212,7 @@ static void tell(lua_State *L, const struct advice *advice)
     if (advice->holds)
         hobe_lua_note(L, "%s", line[0]);
     else
-        hobe_lua_warn(L, line[0]);
+        hobe_lua_warn(L, HOBE_LUA_WARN_ADVICE, line[0]);
     hobe_lua_note(L, "%s", line[1]);
 }
 

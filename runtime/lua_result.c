@@ -42,6 +42,10 @@ const struct hobe_lua_field hobe_lua_result_fields[] = {
            "point of a path may be with some where the scene spins (hobe.modal tells); -1: not "
            "counted, as by hobe.static then, and with follower forces.  hobe.static warns where "
            "there are any"),
+    SOLVED("limit_load", solution.limit_load, 'd', NULL,
+           "load factor of the limit point where the path from rest turns, where hobe.static found "
+           "an equilibrium beyond it, which a growing load comes to by a jump, and warned of that; "
+           "0: none was met (not looked for from `start`)"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),

@@ -31,7 +31,9 @@ static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const
         hobe_lua_raise(L, &err);
     if (warning <= told)
         return told;
-    hobe_lua_warn(L, lua_pushfstring(L, "%s%s", text, when));
+    hobe_lua_warn(L,
+                  warning == HOBE_WARNING_COLLAPSED ? HOBE_LUA_WARN_COLLAPSE : HOBE_LUA_WARN_WALLS,
+                  lua_pushfstring(L, "%s%s", text, when));
     lua_pop(L, 1);
     return warning;
 }
@@ -49,7 +51,23 @@ static void warn_unstable(lua_State *L, const hobe_solution *solution)
              "that there is a critical load below this one; look for it with hobe.buckling or "
              "hobe.path, and disturb the scene a little to find where it goes",
              info.negative, info.negative > 1 ? "s" : "");
-    hobe_lua_warn(L, text);
+    hobe_lua_warn(L, HOBE_LUA_WARN_UNSTABLE, text);
+}
+
+/* Warns of an equilibrium that no path leads to. */
+static void warn_jumped(lua_State *L, const hobe_solution *solution)
+{
+    struct hobe_solution_info info;
+    char text[300];
+    hobe_solution_info(solution, &info);
+    if (!(info.limit_load > 0))
+        return;
+    snprintf(text, sizeof text,
+             "the equilibrium is not on the path from rest, which turns at a limit point near load "
+             "factor %.4g: a load that grows jumps from there, here or elsewhere; follow the path "
+             "with hobe.path, and the jump with hobe.dynamic",
+             info.limit_load);
+    hobe_lua_warn(L, HOBE_LUA_WARN_JUMP, text);
 }
 
 /* Warns of each beam whose mesh is too coarse.  Few unknowns balance loads on few fields only, and
@@ -67,7 +85,7 @@ static void warn_mesh(lua_State *L, const hobe_solution *solution, const hobe_mo
         if (hobe_solution_mesh_warning(solution, beam, text, sizeof text, &err))
             hobe_lua_raise(L, &err);
         if (*text)
-            hobe_lua_warn(L, text);
+            hobe_lua_warn(L, HOBE_LUA_WARN_MESH, text);
     }
 }
 
@@ -78,6 +96,7 @@ void hobe_lua_warn_equilibrium(lua_State *L, const hobe_solution *solution, cons
         warn(L, solution, beam, "", HOBE_WARNING_NONE);
     warn_mesh(L, solution, model);
     warn_unstable(L, solution);
+    warn_jumped(L, solution);
 }
 
 /* Warns of each beam of a model at the points of the path on top of the stack, where it gets worse.
