@@ -204,8 +204,7 @@ enum hobe_integration {
     HOBE_INTEGRATION_PAPER  /* 3 x 3 x 3 Gauss points and one term of eq. 33 */
 };
 
-/* ---- composite sections (section_outline.c) ---------------------------------------------------
- */
+/* ---- composite sections (section_composite.c) ----------------------------------------------- */
 
 enum { HOBE_MAX_REGIONS = 32 }; /* parts of a composite section */
 
