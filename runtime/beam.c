@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "beam.h"
 
-#include "element.h"
+#include "kernel_vectors.h"
 #include "material.h"
 #include "section.h"
 #include "smaller.h"

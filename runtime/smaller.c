@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "smaller.h"
 
-#include "element.h"
+#include "kernel_vectors.h"
 #include "section.h"
 
 #include <math.h>

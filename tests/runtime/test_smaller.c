@@ -2,7 +2,7 @@
 /* Smaller problems where they are exact, beside the whole one: elements whose section drops modes.
  */
 #include "check.h"
-#include "element.h"
+#include "kernel_vectors.h"
 #include "scene.h"
 #include "smaller.h"
 
