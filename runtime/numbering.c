@@ -212,16 +212,14 @@ static size_t owner(const hobe_model *model, long vector)
     return i;
 }
 
-static size_t group_of(const size_t *group, size_t i)
+size_t group_of(const size_t *group, size_t i)
 {
     while (group[i] != i)
         i = group[i];
     return i;
 }
 
-/* Beams that share a vector are one group: group[i] leads to the same root for all of them; bodies,
- * behind the beams, are groups of their own. */
-static void group_parts(const hobe_model *model, size_t *group)
+void group_parts(const hobe_model *model, size_t *group)
 {
     for (size_t i = 0; i < model->beams.count + model->bodies.count; i++)
         group[i] = i;
@@ -256,7 +254,7 @@ static enum hobe_status check_held(hobe_model *model, struct hobe_error *err)
     return status == HOBE_NO_MEMORY ? model_check_held(model, err) : HOBE_OK;
 }
 
-static void number_unknowns(hobe_model *model)
+void number_unknowns(hobe_model *model)
 {
     model->unknowns = 0;
     for (long v = 0; v < model->vectors; v++)
