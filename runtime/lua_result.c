@@ -21,10 +21,7 @@ struct summary {
     struct hobe_model_info model;
 };
 
-#define SOLVED(key, field, type, unit, doc)                                                        \
-    {                                                                                              \
-        key, type, offsetof(struct summary, field), unit, doc                                      \
-    }
+#define SOLVED(key, field, type, unit, doc) FIELD_AS(key, struct summary, field, type, unit, doc)
 
 const struct hobe_lua_field hobe_lua_result_fields[] = {
     SOLVED("steps", solution.steps, 'i', NULL, "load steps taken"),
