@@ -211,7 +211,7 @@ static void many(const hobe_section *section)
 {
     enum { BEAMS = 20 };
     hobe_model *model = new_model();
-    char name[BEAMS][8];
+    char name[BEAMS][16];
     for (int i = 0; i < BEAMS; i++) {
         struct hobe_beam beam = beam_along_x("3333", 1, section, E, NU, LENGTH);
         snprintf(name[i], sizeof name[i], "b%d", i);
