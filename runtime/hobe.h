@@ -238,7 +238,7 @@ hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *
 int hobe_section_regions(const hobe_section *section);
 const struct hobe_material *hobe_section_material(const hobe_section *section, int region);
 
-/* ---- elements (element.c) ------------------------------------------------------------------- */
+/* ---- elements (element.c, kernel_vectors.c) ------------------------------------------------- */
 
 /* The kernel called name, or NULL with err listing the known ones. */
 const struct hobe_kernel *hobe_find_kernel(const char *name, struct hobe_error *err);

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include "journal.h"
 #include "lua_item.h"
+#include "lua_result.h"
 
 #include <math.h>
 #include <string.h>
@@ -289,7 +290,7 @@ static void warn_of_steps(lua_State *L, const hobe_history *history)
         "dynamic: a step left an error of about %.2g of the scene's size; take a smaller step, "
         "or give an accuracy that chooses the steps",
         info.largest_error);
-    hobe_lua_warn(L, text);
+    hobe_lua_warn(L, HOBE_LUA_WARN_STEPS, text);
 }
 
 /* hobe.dynamic(scene, options) */
@@ -336,8 +337,9 @@ static int solve_dynamic(lua_State *L)
         write_rows(context, history->history);
     hobe_lua_note_reduced(L, last_indicator(history->history), NULL);
     if (options.dynamic.rho > 0.9)
-        hobe_lua_warn(L, "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
-                         "motions with joints may fail");
+        hobe_lua_warn(L, HOBE_LUA_WARN_DAMPING,
+                      "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
+                      "motions with joints may fail");
     warn_of_steps(L, history->history);
     return 1;
 }

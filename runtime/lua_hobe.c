@@ -15,6 +15,7 @@ static const char context_key; /* its address names the context in the registry 
 static int free_context(lua_State *L)
 {
     struct hobe_lua *context = lua_touserdata(L, 1);
+    hobe_lua_count_warnings(context);
     hobe_text_free(&context->tables);
     hobe_text_free(&context->newton);
     hobe_text_free(&context->motion);
@@ -57,36 +58,6 @@ void hobe_lua_push_store(lua_State *L, enum hobe_lua_store store)
     lua_rawgetp(L, LUA_REGISTRYINDEX, &context_key);
     lua_getiuservalue(L, -1, (int)store);
     lua_remove(L, -2);
-}
-
-int hobe_lua_note(lua_State *L, const char *format, ...)
-{
-    char line[1200];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(line, sizeof line, format, args);
-    va_end(args);
-    if (hobe_lua_context(L)->trying)
-        return 0;
-    hobe_lua_push_store(L, HOBE_LUA_NOTES);
-    const int is_new = lua_getfield(L, -1, line) == LUA_TNIL;
-    if (is_new) {
-        lua_pushboolean(L, 1);
-        lua_setfield(L, -3, line);
-        lua_pushstring(L, line);
-        lua_rawseti(L, -3, (lua_Integer)lua_rawlen(L, -3) + 1);
-    }
-    lua_pop(L, 2);
-    return is_new;
-}
-
-void hobe_lua_warn(lua_State *L, const char *text)
-{
-    if (!hobe_lua_note(L, "%s", text))
-        return;
-    hobe_lua_where(L);
-    fprintf(stderr, "%s: warning: %s\n", lua_tostring(L, -1), text);
-    lua_pop(L, 1);
 }
 
 /* ---- errors --------------------------------------------------------------------------------- */
@@ -343,12 +314,14 @@ void hobe_lua_set_type(lua_State *L, const char *type, lua_CFunction finalizer,
     if (luaL_newmetatable(L, type)) {
         lua_pushcfunction(L, finalizer);
         lua_setfield(L, -2, "__gc");
-        lua_newtable(L);
-        if (methods)
-            hobe_lua_add_entries(L, methods);
-        lua_pushcfunction(L, field);
-        lua_pushcclosure(L, object_index, 2);
-        lua_setfield(L, -2, "__index");
+        if (field) {
+            lua_newtable(L);
+            if (methods)
+                hobe_lua_add_entries(L, methods);
+            lua_pushcfunction(L, field);
+            lua_pushcclosure(L, object_index, 2);
+            lua_setfield(L, -2, "__index");
+        }
         lua_pushstring(L, strchr(type, '.') + 1); /* what sentences call it */
         lua_setfield(L, -2, "__name");
         lua_pushboolean(L, 0);

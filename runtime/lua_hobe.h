@@ -34,7 +34,7 @@ extern const struct hobe_lua_entry hobe_lua_scene_entries[];     /* lua_scene.c 
 extern const struct hobe_lua_entry hobe_lua_reduce_entries[];    /* lua_reduce.c */
 extern const struct hobe_lua_entry hobe_lua_reduced_methods[];   /* lua_reduce.c */
 extern const struct hobe_lua_entry hobe_lua_solve_entries[];     /* lua_solve.c */
-extern const struct hobe_lua_entry hobe_lua_result_methods[];    /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_result_methods[];    /* lua_result.c */
 extern const struct hobe_lua_entry hobe_lua_dynamic_entries[];   /* lua_dynamic.c */
 extern const struct hobe_lua_entry hobe_lua_history_methods[];   /* lua_dynamic.c */
 extern const struct hobe_lua_entry hobe_lua_modal_entries[];     /* lua_modal.c */
@@ -60,7 +60,7 @@ void hobe_lua_add_entries(lua_State *L, const struct hobe_lua_entry *entry);
 
 /* Sets the metatable of the userdata on top of the stack, made at the first call: the registry
  * name `type` ("hobe.scene"), a finalizer, methods (a list or NULL), and `field`, which is called
- * with the object and a key that is no method. */
+ * with the object and a key that is no method.  Both are NULL where no script sees the object. */
 void hobe_lua_set_type(lua_State *L, const char *type, lua_CFunction finalizer,
                        const struct hobe_lua_entry *methods, lua_CFunction field);
 
@@ -80,11 +80,24 @@ struct hobe_lua_file {
 
 struct advise_model; /* advise.h */
 
+/* What is warned of. */
+enum hobe_lua_warning {
+    HOBE_LUA_WARN_WALLS,
+    HOBE_LUA_WARN_COLLAPSE,
+    HOBE_LUA_WARN_MESH,
+    HOBE_LUA_WARN_UNSTABLE,
+    HOBE_LUA_WARN_JUMP,
+    HOBE_LUA_WARN_STEPS,
+    HOBE_LUA_WARN_DAMPING,
+    HOBE_LUA_WARN_ADVICE,
+    HOBE_LUA_WARNINGS
+};
+
 /* One per Lua state, in its registry; freed with it. */
 struct hobe_lua {
     int program;        /* in the hobe program results wait for the end of the run, so that a run
                            that fails leaves none; in a stock Lua they appear at once */
-    int log;            /* print Newton's log on stderr */
+    int log;            /* print Newton's log and every warning on stderr */
     int progress;       /* stderr is a terminal: show how far a solve is */
     const char *folder; /* for results, or NULL: no files; kept by the caller */
     const char *script; /* the case, or NULL in a stock Lua; kept by the caller */
@@ -111,6 +124,7 @@ struct hobe_lua {
         long unknowns;                /* of the largest */
         long factorisations;          /* of statics and paths */
     } cost;
+    long warned[HOBE_LUA_WARNINGS]; /* how often */
     struct hobe_lua_file *file;
 };
 
@@ -137,13 +151,21 @@ enum hobe_lua_store {
 };
 void hobe_lua_push_store(lua_State *L, enum hobe_lua_store store);
 
+/* ---- notes and warnings (lua_notes.c) ------------------------------------------------------- */
+
 /* Remembers a line that people should see with the results; the same line only once.  Whether it is
  * new. */
 int hobe_lua_note(lua_State *L, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The same, and writes it to standard error with the place in the script: whoever takes the numbers
- * alone should see it, too. */
-void hobe_lua_warn(lua_State *L, const char *text);
+/* The same, and writes the first of a kind, or with context->log each, to standard error with the
+ * place in the script: whoever takes the numbers alone should see it, too. */
+void hobe_lua_warn(lua_State *L, enum hobe_lua_warning kind, const char *text);
+
+/* Says on standard error how many more there were of each kind, if any, and forgets them. */
+void hobe_lua_count_warnings(struct hobe_lua *context);
+
+/* Appends the notes, after an empty line where there is text, and of more than `most` how many. */
+void hobe_lua_add_notes(lua_State *L, struct hobe_text *text, long most);
 
 /* ---- files for the end of the run (lua_files.c) --------------------------------------------- */
 

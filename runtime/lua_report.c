@@ -3,6 +3,7 @@
 #include "lua_hobe.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -203,22 +204,7 @@ const struct hobe_lua_entry hobe_lua_report_entries[] = {
 
 /* ---- the end of a run ----------------------------------------------------------------------- */
 
-/* Appends the lines that hobe_lua_note kept. */
-static void add_notes(lua_State *L, struct hobe_text *text)
-{
-    const lua_Integer most = 10;
-    hobe_lua_push_store(L, HOBE_LUA_NOTES);
-    lua_Integer count = (lua_Integer)lua_rawlen(L, -1);
-    hobe_text_add(text, "%s", count > 0 && text->size > 0 ? "\n" : "");
-    for (lua_Integer i = 1; i <= count && i <= most; i++) {
-        lua_rawgeti(L, -1, i);
-        hobe_text_add(text, "%s\n", lua_tostring(L, -1));
-        lua_pop(L, 1);
-    }
-    if (count > most)
-        hobe_text_add(text, "... and %lld more such lines\n", (long long)(count - most));
-    lua_pop(L, 1);
-}
+static const long SHOWN = 10; /* of the notes, below the report */
 
 /* A log becomes a file unless it is empty. */
 static void stage_log(lua_State *L, const char *name, struct hobe_text *log)
@@ -238,6 +224,7 @@ static void stage_report(lua_State *L, const struct hobe_value *value, size_t co
     hobe_report_csv(hobe_lua_stage(L, "report.csv"), value, count);
     stage_log(L, "newton.csv", &context->newton);
     stage_log(L, "motion.csv", &context->motion);
+    hobe_lua_add_notes(L, hobe_lua_stage(L, "report-notes.txt"), LONG_MAX);
 }
 
 static void write_text(lua_State *L, const struct hobe_text *text, FILE *to)
@@ -265,7 +252,7 @@ int hobe_lua_finish(lua_State *L, enum hobe_lua_format format, FILE *to)
     else if (count > 0)
         hobe_report_table(text, value, count, !context->overridden);
     if (format == HOBE_LUA_TABLE)
-        add_notes(L, text);
+        hobe_lua_add_notes(L, text, SHOWN);
     hobe_lua_check_text(L, text); /* before a file is written: all or nothing */
     if (context->folder) {
         stage_report(L, value, count);

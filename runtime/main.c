@@ -23,7 +23,7 @@ static const char usage[] =
     "      --format table|json|csv      how the report is printed (table)\n"
     "      --resume                     go on with motions that a run of the same case into the\n"
     "                                   same folder had begun when it was stopped\n"
-    "      --log                        print each Newton iteration on standard error\n"
+    "      --log                        print each Newton iteration and warning on standard error\n"
     "      --time-limit S               processor time that the script may spend in Lua (10)\n"
     "      --memory-limit MB            memory that the script may use in Lua (512)\n"
     "      --trust                      no sandbox, no limits: for scripts of your own\n"
@@ -171,6 +171,7 @@ int run_script(struct run *run)
     int status = lua_pcall(L, 1, 1, 0);
     hobe_lua_check_memory();
     hobe_lua_pause_clock();
+    hobe_lua_count_warnings(hobe_lua_context(L));
     if (status != LUA_OK &&
         !hobe_lua_context(L)->resume) /* it would fail again; another's may not */
         hobe_lua_drop_journals(L);

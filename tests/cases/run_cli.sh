@@ -136,7 +136,7 @@ has stderr '^hobe: miss.lua:1: report: u is 1 m but 2 is expected, a relative di
 # ---- files --------------------------------------------------------------------------------------
 
 run 0 run beam.lua --out deep/results
-for file in report.json report.csv newton.csv axis.csv figures/axis.gp figures/axis.data.csv \
+for file in report.json report.csv newton.csv report-notes.txt axis.csv figures/axis.gp figures/axis.data.csv \
     figures/beam.png; do
     [ -s "deep/results/$file" ] || complain "$file is missing"
 done
@@ -318,12 +318,34 @@ is stderr ""
 lacks stdout 'walls'
 run 0 run box.lua T=150 --format json
 has stderr '^box\.lua:10: warning: beam box: .* of 150 N m .* element MGD30w .* collapses'
-has stderr '^box\.lua:12: warning: beam box: .* \(load factor [0-9.]+\)$'
+has stderr '^hobe: warning: besides the first of each kind, 1 of bent walls: --log tells all, and '
 lacks stdout 'walls'
-[ "$(wc -l <stderr)" -eq 2 ] || complain "not one warning of the state, one of the path"
+[ "$(wc -l <stderr)" -eq 2 ] || complain "not the first warning and how many more"
+run 0 run box.lua T=150 --log --out all
+has stderr '^box\.lua:10: warning: beam box: '
+has stderr '^box\.lua:12: warning: beam box: .* \(load factor [0-9.]+\)$'
+lacks stderr 'besides'
+has all/report-notes.txt '\(load factor [0-9.]+\)$'
 run 0 run box.lua T=800
 has stdout '^beam box: .* 800 N m, is beyond .* means nothing'
-[ "$(wc -l <stderr)" -le 3 ] || complain "a path warns where it gets worse, no more"
+[ "$(wc -l <stderr)" -eq 2 ] || complain "not the first warning and how many more"
+
+# A sweep warns once of what it meets often, in any Lua; --format and files are what they were.
+cat >sweep.lua <<'END'
+local hobe = require "hobe"
+for n = 1, 12 do
+  hobe.static(hobe.scene{
+    hobe.beam{ name = "b", element = "BE24", elements = n, section = hobe.square{ side = 0.01 },
+               material = { E = 1e9, nu = 0 }, from = {0, 0, 0}, to = {10, 0, 0} },
+    hobe.clamp{ "b", at = 0 }, hobe.force{ "b", at = 1, value = {0, 0, 1e-9} } })
+end
+END
+run 0 run sweep.lua --out sweep
+has stderr '^sweep\.lua:3: warning: beam b: '
+has stderr '^hobe: warning: besides the first of each kind, [1-9] of coarse meshes: --log tells all'
+[ "$(wc -l <stderr)" -eq 2 ] || complain "a sweep warns of every mesh"
+lacks stdout 'warning'
+[ "$(grep -c 'elements cannot follow' sweep/report-notes.txt)" -gt 2 ] || complain "report-notes.txt has not all"
 
 # ---- stock Lua ----------------------------------------------------------------------------------
 
