@@ -3,7 +3,7 @@
  * tried in the order of their cost. */
 #include "advise.h"
 
-#include "element.h"
+#include "kernel_vectors.h"
 
 #include <math.h>
 #include <stdio.h>

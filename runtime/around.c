@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "around.h"
 
-#include "element.h"
 #include "vector3.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "beam.h"
 
-#include "element.h"
+#include "kernel_vectors.h"
 #include "section.h"
 #include "vector3.h"
 

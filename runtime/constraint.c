@@ -2,7 +2,6 @@
 #include "constraint.h"
 
 #include "body.h"
-#include "element.h"
 #include "reduction.h"
 #include "vector3.h"
 

@@ -5,23 +5,6 @@
 
 #include "hobe.h"
 
-/* The position of an element's last node among its vectors: elements of a beam overlap there, so
- * that element e of a beam owns the vectors e * hobe_kernel_step() + v. */
-int hobe_kernel_step(const struct hobe_kernel *kernel);
-
-/* Reference nodal vectors q0[vectors][3] of a straight element of that length, its first node at
- * the origin, on the axes frame[3] = e_x, e_y, e_z (rows). */
-void hobe_kernel_reference(const struct hobe_kernel *kernel, double length,
-                           const double frame[3][3], double *q0);
-
-/* The vector that is the value (slope = 0) or slope of a mode at a node; -1 where there is none. */
-int hobe_kernel_vector(const struct hobe_kernel *kernel, int node, int mode, int slope);
-
-/* The section's axes where the axial functions are N, Nx, of an element with the reference
- * q0[vectors][3], rows: e_x along d_0', e_y as near to d_y as can be. */
-void hobe_kernel_axes(const struct hobe_kernel *kernel, const double *N, const double *Nx,
-                      const double *q0, double axes[3][3]);
-
 /* Whether force, or force and tangent, of a straight and prismatic element are cheaper as products
  * with its tensor than from station to station, with that symmetry (HOBE_SYMMETRIC_*): by counted
  * operations, of which those with a tensor run so many times as fast.  A tensor takes time to fill:

@@ -238,7 +238,7 @@ hobe_section *hobe_section_composite(int parts, const struct hobe_section_part *
 int hobe_section_regions(const hobe_section *section);
 const struct hobe_material *hobe_section_material(const hobe_section *section, int region);
 
-/* ---- elements (element.c) ------------------------------------------------------------------- */
+/* ---- elements (element.c, kernel_vectors.c) ------------------------------------------------- */
 
 /* The kernel called name, or NULL with err listing the known ones. */
 const struct hobe_kernel *hobe_find_kernel(const char *name, struct hobe_error *err);
@@ -726,18 +726,21 @@ struct hobe_newton {
 
 struct hobe_solution_info {
     int steps, iterations, cutbacks, factorisations;
-    double load;     /* load factor reached: 1 of hobe_static */
-    double time;     /* s, of drives, histories and hobe_dynamic */
-    int negative;    /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
-                        stable, as it may be with some where the scene spins (hobe_modal tells);
-                        -1: not counted, as by hobe_static then, and with follower forces */
-    double residual; /* of the last iteration */
-    double change;   /* of the displacements by a last correction, beyond what tolerance asked for,
-                        relative to their size, in the norm sum u^2 K_0 over the diagonal of the
-                        stiffness at rest; it is taken, and round-off leaves less than that open (by
-                        series, which leave it, so much); NaN where the stiffness has no factors */
-    double energy;   /* strain energy, that of springs included, J */
-    long projected;  /* unknowns of a projection, multipliers included; 0: none */
+    double load;       /* load factor reached: 1 of hobe_static */
+    double time;       /* s, of drives, histories and hobe_dynamic */
+    int negative;      /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
+                          stable, as it may be with some where the scene spins (hobe_modal tells);
+                          -1: not counted, as by hobe_static then, and with follower forces */
+    double limit_load; /* the load factor of a limit point on the path from rest, beyond which the
+                          equilibrium lies on another branch, which a load that grows comes to by a
+                          jump; 0: none was met (jump.h; not looked for from options.start) */
+    double residual;   /* of the last iteration */
+    double change;  /* of the displacements by a last correction, beyond what tolerance asked for,
+                       relative to their size, in the norm sum u^2 K_0 over the diagonal of the
+                       stiffness at rest; it is taken, and round-off leaves less than that open (by
+                       series, which leave it, so much); NaN where the stiffness has no factors */
+    double energy;  /* strain energy, that of springs included, J */
+    long projected; /* unknowns of a projection, multipliers included; 0: none */
     int linearisations; /* how often its modes were found */
     double outside;     /* residual of the full model, most of which a projection does not see */
     double

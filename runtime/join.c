@@ -3,7 +3,7 @@
 #include "numbering.h"
 
 #include "constraint.h"
-#include "element.h"
+#include "kernel_vectors.h"
 
 #include <math.h>
 

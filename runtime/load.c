@@ -4,7 +4,6 @@
 #include "body.h"
 #include "constraint.h"
 #include "drive.h"
-#include "element.h"
 #include "mass.h"
 #include "point_mass.h"
 #include "reduction.h"

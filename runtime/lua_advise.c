@@ -2,6 +2,7 @@
 /* A scene that chooses its model: trials of it in Lua, for the search in advise.c. */
 #include "advise.h"
 #include "lua_item.h"
+#include "lua_result.h"
 
 #include <math.h>
 #include <string.h>
@@ -193,11 +194,7 @@ static struct trials *push_trials(lua_State *L)
     struct trials *t = lua_newuserdatauv(L, sizeof *t, 0);
     memset(t, 0, sizeof *t);
     t->L = L;
-    if (luaL_newmetatable(L, "hobe.trials")) {
-        lua_pushcfunction(L, finalize);
-        lua_setfield(L, -2, "__gc");
-    }
-    lua_setmetatable(L, -2);
+    hobe_lua_set_type(L, "hobe.trials", finalize, NULL, NULL);
     return t;
 }
 

@@ -18,13 +18,7 @@ static hobe_curve **push_curve(lua_State *L)
 {
     hobe_curve **curve = lua_newuserdatauv(L, sizeof *curve, 0);
     *curve = NULL;
-    if (luaL_newmetatable(L, HOBE_LUA_CURVE)) {
-        lua_pushcfunction(L, finalize);
-        lua_setfield(L, -2, "__gc");
-        lua_pushboolean(L, 0);
-        lua_setfield(L, -2, "__metatable");
-    }
-    lua_setmetatable(L, -2);
+    hobe_lua_set_type(L, HOBE_LUA_CURVE, finalize, NULL, NULL);
     return curve;
 }
 

@@ -155,13 +155,7 @@ hobe_drive *hobe_lua_push_drive(lua_State *L, int index, const char *what, int i
     hobe_drive **drive = lua_newuserdatauv(L, sizeof *drive, 1);
     const int top = lua_gettop(L);
     *drive = NULL;
-    if (luaL_newmetatable(L, HOBE_LUA_DRIVE)) {
-        lua_pushcfunction(L, finalize);
-        lua_setfield(L, -2, "__gc");
-        lua_pushboolean(L, 0);
-        lua_setfield(L, -2, "__metatable");
-    }
-    lua_setmetatable(L, top);
+    hobe_lua_set_type(L, HOBE_LUA_DRIVE, finalize, NULL, NULL);
     *drive = make_drive(L, index, what, integral, &err);
     if (!*drive)
         hobe_lua_fail(L, "%s: %s", what, err.message);

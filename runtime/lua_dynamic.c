@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include "journal.h"
 #include "lua_item.h"
+#include "lua_result.h"
 
 #include <math.h>
 #include <string.h>

@@ -314,12 +314,14 @@ void hobe_lua_set_type(lua_State *L, const char *type, lua_CFunction finalizer,
     if (luaL_newmetatable(L, type)) {
         lua_pushcfunction(L, finalizer);
         lua_setfield(L, -2, "__gc");
-        lua_newtable(L);
-        if (methods)
-            hobe_lua_add_entries(L, methods);
-        lua_pushcfunction(L, field);
-        lua_pushcclosure(L, object_index, 2);
-        lua_setfield(L, -2, "__index");
+        if (field) {
+            lua_newtable(L);
+            if (methods)
+                hobe_lua_add_entries(L, methods);
+            lua_pushcfunction(L, field);
+            lua_pushcclosure(L, object_index, 2);
+            lua_setfield(L, -2, "__index");
+        }
         lua_pushstring(L, strchr(type, '.') + 1); /* what sentences call it */
         lua_setfield(L, -2, "__name");
         lua_pushboolean(L, 0);

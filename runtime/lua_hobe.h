@@ -34,7 +34,7 @@ extern const struct hobe_lua_entry hobe_lua_scene_entries[];     /* lua_scene.c 
 extern const struct hobe_lua_entry hobe_lua_reduce_entries[];    /* lua_reduce.c */
 extern const struct hobe_lua_entry hobe_lua_reduced_methods[];   /* lua_reduce.c */
 extern const struct hobe_lua_entry hobe_lua_solve_entries[];     /* lua_solve.c */
-extern const struct hobe_lua_entry hobe_lua_result_methods[];    /* lua_solve.c */
+extern const struct hobe_lua_entry hobe_lua_result_methods[];    /* lua_result.c */
 extern const struct hobe_lua_entry hobe_lua_dynamic_entries[];   /* lua_dynamic.c */
 extern const struct hobe_lua_entry hobe_lua_history_methods[];   /* lua_dynamic.c */
 extern const struct hobe_lua_entry hobe_lua_modal_entries[];     /* lua_modal.c */
@@ -60,7 +60,7 @@ void hobe_lua_add_entries(lua_State *L, const struct hobe_lua_entry *entry);
 
 /* Sets the metatable of the userdata on top of the stack, made at the first call: the registry
  * name `type` ("hobe.scene"), a finalizer, methods (a list or NULL), and `field`, which is called
- * with the object and a key that is no method. */
+ * with the object and a key that is no method.  Both are NULL where no script sees the object. */
 void hobe_lua_set_type(lua_State *L, const char *type, lua_CFunction finalizer,
                        const struct hobe_lua_entry *methods, lua_CFunction field);
 
@@ -86,6 +86,7 @@ enum hobe_lua_warning {
     HOBE_LUA_WARN_COLLAPSE,
     HOBE_LUA_WARN_MESH,
     HOBE_LUA_WARN_UNSTABLE,
+    HOBE_LUA_WARN_JUMP,
     HOBE_LUA_WARN_STEPS,
     HOBE_LUA_WARN_DAMPING,
     HOBE_LUA_WARN_ADVICE,

@@ -122,9 +122,6 @@ struct hobe_lua_scene *hobe_lua_make_scene(lua_State *L, int items,
  * an absolute index gives of a scene, nil: of how its beams move; says which.  (lua_advise.c) */
 void hobe_lua_advise(lua_State *L, int items, int function, double accuracy);
 
-/* Pushes a result that is still empty, of the scene at an index (lua_solve.c). */
-hobe_solution **hobe_lua_new_result(lua_State *L, int scene);
-
 /* Pushes the result that is the state i of the motion at the absolute index, i = 0 the start, and
  * returns what it holds, alive as long as the motion (lua_dynamic.c). */
 const hobe_solution *hobe_lua_push_state(lua_State *L, int motion, int i);

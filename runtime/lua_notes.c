@@ -12,6 +12,7 @@ static const char *const kinds[HOBE_LUA_WARNINGS] = {
     [HOBE_LUA_WARN_COLLAPSE] = "collapsed outlines",
     [HOBE_LUA_WARN_MESH] = "coarse meshes",
     [HOBE_LUA_WARN_UNSTABLE] = "unstable equilibria",
+    [HOBE_LUA_WARN_JUMP] = "jumps past limit points",
     [HOBE_LUA_WARN_STEPS] = "long steps in time",
     [HOBE_LUA_WARN_DAMPING] = "rho above 0.9",
     [HOBE_LUA_WARN_ADVICE] = "accuracies that nothing holds",

@@ -286,21 +286,20 @@ enum outcome solver_measure(struct solver *s)
     return FAILED;
 }
 
-/* Takes one more correction, where there are factors. */
-static enum outcome refine(struct solver *s, struct hobe_error *err)
+enum outcome solver_refine(struct solver *s, struct hobe_error *err)
 {
     const enum outcome outcome = solver_factor(s, err);
     s->info.change = NAN;
     if (outcome != CONVERGED)
-        return outcome == ERROR ? ERROR : CONVERGED;
+        return outcome == ERROR ? ERROR : solver_check_volume(s, err);
     if (solver_solve(s, s->r, -1, s->x, err))
         return ERROR;
     solver_move(s, s->x, 1);
-    return solver_measure(s);
+    const enum outcome measured = solver_measure(s);
+    return measured == CONVERGED ? solver_check_volume(s, err) : measured;
 }
 
-/* Newton from the current state to equilibrium at a load factor. */
-static enum outcome iterate(struct solver *s, double factor, int line_search,
+enum outcome solver_iterate(struct solver *s, double factor, int line_search,
                             struct hobe_error *err)
 {
     double first_energy = 0, first_norm = 0, last_norm = INFINITY;
@@ -316,7 +315,7 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
             first_norm = norm;
         enum outcome outcome = solver_judge(s, norm, last_norm);
         if (outcome != GOING_ON)
-            return outcome == CONVERGED ? refine(s, err) : outcome;
+            return outcome;
         last_norm = norm;
         outcome = solver_factor(s, err);
         if (outcome != CONVERGED)
@@ -327,6 +326,8 @@ static enum outcome iterate(struct solver *s, double factor, int line_search,
         const double energy = fabs(work_of(s));
         first_energy = fmax(first_energy, energy);
         s->now.energy = first_energy > 0 ? energy / first_energy : 0;
+        if (s->jump.first && !line_search)
+            jump_watch(s);
         if (line_search)
             search_line(s, factor);
         else
@@ -352,13 +353,13 @@ static enum outcome attempt(struct solver *s, double factor, struct hobe_error *
 {
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
     for (int line_search = 0; line_search <= !s->options.no_line_search; line_search++) {
-        const enum outcome outcome = iterate(s, factor, line_search, err);
-        if (outcome == ERROR)
-            return ERROR;
-        const enum outcome sound = outcome == CONVERGED ? solver_check_volume(s, err) : FAILED;
-        if (sound != FAILED)
-            return sound;
+        enum outcome outcome = solver_iterate(s, factor, line_search, err);
+        if (outcome == CONVERGED)
+            outcome = solver_refine(s, err);
+        if (outcome != FAILED)
+            return outcome;
         s->reason = s->now.note;
+        s->jump.suspected = 1;
         memcpy(s->u, s->start, size);
     }
     return FAILED;
@@ -417,7 +418,10 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
         memcpy(s->start, s->u, size);
         if (fresh && solver_confine(s, reached, err))
             return err ? err->status : HOBE_NO_MEMORY;
-        const enum outcome outcome = attempt(s, target, err);
+        s->jump.suspected = 0;
+        enum outcome outcome = attempt(s, target, err);
+        if (outcome == CONVERGED && s->jump.suspected)
+            outcome = jump_verify(s, reached, target, err);
         fresh = outcome == CONVERGED;
         if (outcome == ERROR)
             return err ? err->status : HOBE_NO_MEMORY;
@@ -538,6 +542,7 @@ void solver_close(struct solver *s)
     hobe_free(s->scale);
     hobe_free(s->reference);
     subspace_close(&s->space);
+    jump_close(s);
 }
 
 static void set_defaults(struct hobe_newton *o)
@@ -617,6 +622,9 @@ static enum hobe_status follow_series(hobe_model *model, const struct hobe_newto
     hobe_path_info(path, &info);
     if (info.end == HOBE_PATH_LOAD) {
         *solution = hobe_path_take(path, info.points - 1);
+        for (int i = info.events - 1; i >= 0; i--)
+            if (!hobe_path_event(path, i)->bifurcation)
+                (*solution)->info.limit_load = hobe_path_event(path, i)->extreme;
         if (model->spun)
             (*solution)->info.negative = -1;
     } else
@@ -653,6 +661,8 @@ static enum hobe_status find(struct solver *s, struct hobe_error *err)
 {
     if (s->options.linear)
         return respond(s, err);
+    if (jump_open(s, err))
+        return HOBE_NO_MEMORY;
     const enum outcome outcome = s->options.start ? attempt_start(s, err) : FAILED;
     if (outcome == ERROR)
         return err ? err->status : HOBE_NO_MEMORY;

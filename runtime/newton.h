@@ -8,6 +8,7 @@
 #ifndef HOBE_NEWTON_H
 #define HOBE_NEWTON_H
 
+#include "jump.h"
 #include "subspace.h"
 
 /* What motion adds to statics: the residual gets the forces of inertia M w, the tangent M dw/du,
@@ -39,6 +40,7 @@ struct solver {
     double load_norm;       /* |D Q| at the reference */
     double *reference;      /* [unknowns] D of the space, that of the reference; NULL: none */
     struct subspace space;  /* where corrections are sought, once solver_confine has been called */
+    struct jump jump;       /* what the iterations look like */
     struct hobe_solution_info info;
     struct hobe_iteration now;
     long singular;      /* column of a vanishing pivot */
@@ -74,6 +76,14 @@ void solver_evaluate(struct solver *s, double factor, enum tangent tangent);
  * where there is one, -1 for displacements; NaN where the field is. */
 double solver_norm(const struct solver *s, const double *field, int p);
 
+/* Newton's iteration from the current state to equilibrium at a load factor. */
+enum outcome solver_iterate(struct solver *s, double factor, int line_search,
+                            struct hobe_error *err);
+
+/* Takes one more correction of a converged state, where there are factors, into info.change; FAILED
+ * where round-off leaves no digits or the state is turned inside out. */
+enum outcome solver_refine(struct solver *s, struct hobe_error *err);
+
 /* Whether the iteration is over, and how, by the residual's norm and the one before. */
 enum outcome solver_judge(struct solver *s, double norm, double last_norm);
 
@@ -101,6 +111,11 @@ enum outcome solver_measure(struct solver *s);
 
 /* The volume of the converged state: FAILED where it is turned inside out. */
 enum outcome solver_check_volume(struct solver *s, struct hobe_error *err);
+
+/* Verifies the state s->u that a suspected step from s->start, at the load factor `from`, has come
+ * to at the factor `to`: leaves the one that the path leads to, or, where it leads to none, the one
+ * that is there, and info.limit_load then.  Changes s->start. */
+enum outcome jump_verify(struct solver *s, double from, double to, struct hobe_error *err);
 
 /* A solution with a copy of the state; NULL with err set. */
 hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err);

@@ -4,8 +4,8 @@
 
 #include "body.h"
 #include "constraint.h"
-#include "element.h"
 #include "joint.h"
+#include "kernel_vectors.h"
 #include "spring.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "points.h"
 
-#include "element.h"
+#include "kernel_vectors.h"
 #include "machine.h"
 #include "vector3.h"
 

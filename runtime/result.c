@@ -4,7 +4,6 @@
 
 #include "around.h"
 #include "body.h"
-#include "element.h"
 #include "reduction.h"
 #include "vector3.h"
 

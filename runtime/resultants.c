@@ -5,7 +5,6 @@
  * motion -M w is a load, too. */
 #include "assemble.h"
 #include "constraint.h"
-#include "element.h"
 #include "load.h"
 #include "mass.h"
 #include "solution.h"

@@ -2,7 +2,6 @@
 /* Whether thin walls keep their outline in torsion.  What bends them is in hobe.h, at
  * hobe_section_wall_bending. */
 #include "around.h"
-#include "element.h"
 #include "solution.h"
 #include "vector3.h"
 

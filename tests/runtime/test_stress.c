@@ -2,7 +2,6 @@
 /* Stress inside beams: beside closed forms; that it does the work of the elements' forces; that
  * rigid motions make none and the frame does not matter. */
 #include "check.h"
-#include "element.h"
 #include "scene.h"
 #include "solution.h"
 #include "stress.h"
