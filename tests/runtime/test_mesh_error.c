@@ -7,13 +7,13 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double E = 1e9, SIDE = 0.1, RADIUS = 10;
 
-/* Of what is missing, the estimate is between these shares, but for the rest. */
-static const double SHARE = 0.4, MOST = 4, LEAST = 1e-4;
+/* Of what is missing, the estimate is between these multiples, but for so little that nobody is
+ * warned of it. */
+static const double SHARE = 0.3, MOST = 3, LEAST = 1e-3;
 
 static double mesh_error(const hobe_solution *solution)
 {
@@ -150,9 +150,10 @@ enum { STRAIGHT, ARC, TWISTED, TAPERED, SHAPES };
 static const char *const shapes[SHAPES] = {"straight", "bent", "pretwisted", "tapered"};
 struct scene {
     struct hobe_beam beam;
-    double length, angle, twist;
-    int free_warping, moment;
-    double load[3];
+    hobe_section *section;
+    hobe_curve *curve; /* or NULL */
+    double length, angle, twist, load[3];
+    int shape, free_warping, moment;
 };
 
 static enum hobe_status bent(void *context, double t, double *value, struct hobe_error *err)
@@ -196,38 +197,51 @@ static int turns_away(const struct hobe_kernel *kernel, int mode)
            (!strcmp(kernel->mode[mode], "yyy") || turns_away(kernel, mode + 1));
 }
 
-/* A kind of element on any mesh of one to six elements, L/h from 3 to 300. */
+/* L/h from 3 to 300.  Where slopes are linear between two nodes the reference itself of a bent,
+ * pretwisted or tapered beam is another on each mesh, by as much as is estimated: those are
+ * straight, and so are elements that take long to integrate.  What is freed with it is the
+ * caller's. */
+static void choose_scene(const struct hobe_kernel *kernel, struct scene *s)
+{
+    const int straight = kernel->nodes == 2 || kernel->vectors > 24, rich = turns_away(kernel, 0);
+    const double width = SIDE * random_real(0.3, 1), taper = random_real(0.4, 1);
+    s->shape = straight ? STRAIGHT : (int)random_real(0, SHAPES);
+    s->length = SIDE * pow(10, random_real(0.5, 2.5));
+    s->angle = s->shape == ARC ? random_real(0.2, 1.6) : 0;
+    s->twist = s->shape == TWISTED ? random_real(0.2, 2) : 0;
+    s->free_warping = !rich && random_real(0, 1) < 0.5;
+    s->moment = !rich && random_real(0, 1) < 0.5;
+    s->section = rectangle(width, SIDE);
+    if (s->shape == TAPERED)
+        s->section = tapered(s->section, rectangle(width * taper, SIDE * 0.6));
+    s->curve = NULL;
+    if (s->shape == ARC || s->shape == TWISTED)
+        s->curve = curve_of(bent, s->shape == TWISTED ? turned : NULL, s);
+    s->beam = beam_along_x(kernel->name, 1, s->section, E, random_real(0, 0.45), s->length);
+    s->beam.curve = s->curve;
+    s->beam.up[1] = 1;
+    random_direction(s->load);
+    for (int a = 0; a < 3; a++) /* bends and twists by 1e-6 or less */
+        s->load[a] *= 1e-8 * E * pow(width, 3) * SIDE / pow(s->length, s->moment ? 1 : 2);
+}
+
+/* On a mesh of one to six elements; of two or more where a section goes to half its size, for which
+ * one degree more is not enough. */
 static void random_scene(const struct hobe_kernel *kernel)
 {
-    const int shape = kernel->vectors > 24 ? STRAIGHT : (int)random_real(0, SHAPES);
-    const int rich = turns_away(kernel, 0), n = (int)random_real(1, kernel->vectors > 24 ? 3 : 7);
-    const double slenderness = pow(10, random_real(0.5, 2.5)), width = random_real(0.3, 1);
-    struct scene s = {.length = SIDE * slenderness,
-                      .angle = shape == ARC ? random_real(0.2, 1.6) : 0,
-                      .twist = shape == TWISTED ? random_real(0.2, 2) : 0,
-                      .free_warping = !rich && random_real(0, 1) < 0.5,
-                      .moment = !rich && random_real(0, 1) < 0.5};
-    hobe_section *section = rectangle(SIDE * width, SIDE);
-    hobe_curve *curve = NULL;
-    if (shape == TAPERED)
-        section = tapered(section, rectangle(SIDE * width * random_real(0.4, 1), SIDE * 0.6));
-    s.beam = beam_along_x(kernel->name, n, section, E, random_real(0, 0.45), s.length);
-    random_direction(s.load);
-    for (int a = 0; a < 3; a++) /* bends and twists by 1e-6 or less */
-        s.load[a] *= 1e-8 * E * pow(SIDE * width, 3) * SIDE / pow(s.length, s.moment ? 1 : 2);
-    if (shape == ARC || shape == TWISTED)
-        s.beam.curve = curve = curve_of(bent, shape == TWISTED ? turned : NULL, &s);
-    s.beam.up[1] = 1;
+    struct scene s;
+    choose_scene(kernel, &s);
+    const int n = (int)random_real(s.shape == TAPERED ? 2 : 1, kernel->vectors > 24 ? 3 : 7);
     double share;
-    const double energy = energy_on(&s, n, &share),
-                 missing = 1 - energy / energy_on(&s, 8 * n, NULL);
+    const double energy = energy_on(&s, n, &share);
+    const double missing = 1 - energy / energy_on(&s, 8 * n, NULL);
     printf("%-9s %d of L/h = %-6.3g %-10s %s, %-5s warping: misses %.2e, estimated %.2e, %.2f\n",
-           kernel->name, n, slenderness, shapes[shape], s.moment ? "moment" : "force ",
+           kernel->name, n, s.length / SIDE, shapes[s.shape], s.moment ? "moment" : "force ",
            s.free_warping ? "free" : "fixed", missing, share, share / missing);
     check_that(share < LEAST + MOST * missing && share > SHARE * missing - LEAST,
                "%s: estimate %g, missing %g", kernel->name, share, missing);
-    hobe_curve_free(curve);
-    hobe_section_free(section);
+    hobe_curve_free(s.curve);
+    hobe_section_free(s.section);
 }
 
 static void random_scenes(int count)
@@ -250,7 +264,7 @@ int main(void)
     locking(section);
     nothing_amiss(section);
     twisted(section);
-    random_scenes(getenv("COUNT") ? atoi(getenv("COUNT")) : 20);
+    random_scenes(10);
     hobe_section_free(section);
     return check_report();
 }
