@@ -5,8 +5,8 @@
 -- bends alike about all axes), and where its height goes to a part (the integral of M^2/EI +
 -- V^2/GA by Simpson's rule).  Elements with a cubic axis are exact at any ratio of lengths, and
 -- lose no more than 0.5 % at six radians of pretwist, three quarters of one an element, or a tenth
--- of the height; those with even curvature lose 1.5 %.  r:mesh_error tells of pretwist, not yet of
--- tapers.
+-- of the height; those with even curvature lose 1.5 %.  r:mesh_error tells of pretwist and of
+-- tapers, and is near enough to the truth that what is unsaid is what the warning begins with.
 --
 -- A pretwist or a curve that elements cannot follow is no error.  A kink is: it is refused with
 -- its place.
@@ -69,8 +69,9 @@ end
 local function tapered(element, share)
   local thin = hobe.rectangle{ width = h, height = share*h }
   local taper = hobe.taper{ from = hobe.rectangle{ width = h, height = h }, to = thin }
-  return solve({ clamp("beam"), piece{ name = "beam", element = element, elements = n,
-                                       section = taper } }, "beam")/theory(share) - 1
+  local u, r = solve({ clamp("beam"), piece{ name = "beam", element = element, elements = n,
+                                             section = taper } }, "beam")
+  return u/theory(share) - 1, r:mesh_error("beam")
 end
 
 -- ---- shapes ------------------------------------------------------------------------------------
@@ -128,7 +129,7 @@ hobe.table{
 hobe.report{
   worst = { worst, "", expect = 0, within = 0.15 },            -- 12 rad of pretwist, as
   cubic = { cubic, "", expect = 0, within = 0.06 },            -- the tables show
-  unsaid_pretwist = { unsaid, "", expect = 0, within = 0.01 },
+  unsaid = { unsaid, "", expect = 0, within = 0.0125 },        -- said from an estimate of 0.01
   kink_refused = { ok and 0 or 1, "", expect = 1 },
   box_said = { said, "of 5", expect = 3 },
 }

@@ -2,18 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # hobe chart from outside, on tiny ladders: errors and costs of every model, a front that is one,
 # commands that give the same numbers again, failures with their sentence.
-set -u
-hobe=$(realpath "${HOBE:?set HOBE to the program}")
-python=${HOBE_PYTHON:-python3}
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-failed=0
-
-complain() {
-    echo "run_chart: $*" >&2
-    failed=$((failed + 1))
-}
+# shellcheck source=tests/cases/check.sh
+. "$(dirname "$0")/check.sh"
 
 cat >case.lua <<'LUA'
 local hobe = require "hobe"
@@ -38,14 +28,14 @@ LUA
 grep -v truth case.lua | sed '/^  ladder/,/^}/d; /^hobe.chart/d' >plain.lua
 
 "$hobe" chart case.lua --quick --out out --format json >chart.json 2>stderr ||
-    complain "$(cat stderr)"
-[ ! -s stderr ] || complain "progress, and no terminal: $(cat stderr)"
+    complain "the chart"
+[ ! -s stderr ] || complain "progress, and no terminal"
 "$hobe" chart plain.lua P=5 element=3333,BE24 elements=1,2 --quick >plain.txt 2>stderr ||
-    complain "$(cat stderr)"
+    complain "the chart of a plain case"
 "$hobe" chart plain.lua element=3333,34X3,MGD30w elements=1,2 integration=exact,paper --quick \
-    --format json >any.json 2>stderr || complain "$(cat stderr)"
+    --format json >any.json 2>stderr || complain "the chart of any case"
 "$hobe" chart case.lua --model=MGD30w:2,3333:1:linear --quick --format csv >given.csv 2>stderr ||
-    complain "$(cat stderr)"
+    complain "the chart of given models"
 [ "$(grep -c -e '^--model=MGD30w:2,' -e '^--model=3333:1:linear,' given.csv)" -eq 2 ] &&
     [ "$(wc -l <given.csv)" -eq 3 ] || complain "models that are given: $(cat given.csv)"
 
@@ -111,7 +101,7 @@ refuses() {
     shift 2
     "$hobe" chart "$@" >stdout 2>stderr
     [ $? -eq "$status" ] || complain "$*: the status is not $status"
-    grep -q "^hobe: .*$sentence" stderr || complain "$*: $(cat stderr)"
+    grep -q "^hobe: .*$sentence" stderr || complain "$*"
     [ "$(wc -l <stderr)" -eq 1 ] && [ ! -s stdout ] || complain "$*: more than a sentence"
 }
 echo 'require("hobe").report{ u = 1 }' >none.lua
