@@ -61,8 +61,8 @@ static void number_parts(const hobe_model *model, const size_t *group, int *numb
     }
 }
 
-/* A body is coupled by ties to all it is coupled with, and a spin takes all beams: those scenes
- * are one problem. */
+/* A spin acts on all beams by one matrix, and a body knows its own tie by its number: scenes with
+ * either stay one problem. */
 static enum hobe_status find(hobe_model *model, struct parts *parts, struct hobe_error *err)
 {
     const size_t beams = model->beams.count;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of a scene that nothing couples: each is a problem of its own.
  *
- * Beams that share an unknown vector, a joint or a spring are in one part.  The tangent of the
+ * Beams that share a vector, a joint or a spring are in one part.  The tangent of the
  * whole is block diagonal in the parts, whatever the state, and so each has its own equilibrium;
  * solved by itself it takes no shorter steps, and no more iterations, than it would alone.
  * hobe_static begins here. */
