@@ -157,10 +157,11 @@ static enum hobe_status from_stress(const hobe_solution *solution, const char *n
     if (status)
         return status;
     around_axis(&section.around);
-    const struct hobe_beam *spec = &section.around.place.beam->spec;
+    const struct beam *beam = section.around.place.beam;
     const struct hobe_section_place place = around_section_place(section.around.place);
     position(&section.around, centre);
-    status = hobe_section_rule(spec->section, spec->kernel, spec->integration, &place, &rule, err);
+    status = hobe_section_rule(beam->spec.section, beam->kernel, beam->spec.integration, &place,
+                               &rule, err);
     if (status)
         return status;
     sum_points(&section, &rule.rule, centre, r);
