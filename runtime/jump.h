@@ -22,7 +22,7 @@
 struct solver;
 
 struct jump {
-    double *first;  /* [unknowns] the first correction of the last step */
+    double *first;  /* [unknowns] the first correction of the last step; NULL: nothing is watched */
     double work[2]; /* of the residual along it, before it and half-way, J */
     double turn;   /* the share of the load of the step at which the path would turn by its start */
     long negative; /* eigenvalues of the tangent at the start of the step */
