@@ -420,7 +420,7 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
             return err ? err->status : HOBE_NO_MEMORY;
         s->jump.suspected = 0;
         enum outcome outcome = attempt(s, target, err);
-        if (outcome == CONVERGED && s->jump.suspected)
+        if (outcome == CONVERGED && s->jump.first && s->jump.suspected)
             outcome = jump_verify(s, reached, target, err);
         fresh = outcome == CONVERGED;
         if (outcome == ERROR)
@@ -645,7 +645,7 @@ static enum hobe_status find(struct solver *s, struct hobe_error *err)
 {
     if (s->options.linear)
         return respond(s, err);
-    if (jump_open(s, err))
+    if (!s->options.projection && jump_open(s, err))
         return HOBE_NO_MEMORY;
     const enum outcome outcome = s->options.start ? attempt_start(s, err) : FAILED;
     if (outcome == ERROR)
