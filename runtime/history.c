@@ -152,7 +152,6 @@ static hobe_solution *new_state(struct genalpha *g, double started, struct hobe_
 {
     struct hobe_solution_info info = g->s.info;
     info.load = 1;
-    info.negative = -1;
     info.time = g->now.time;
     info.seconds = hobe_seconds() - started;
     if (solution_smallest_volume(g->s.model, g->now.u, &info.smallest_volume, err))

@@ -204,8 +204,7 @@ enum hobe_integration {
     HOBE_INTEGRATION_PAPER  /* 3 x 3 x 3 Gauss points and one term of eq. 33 */
 };
 
-/* ---- composite sections (section_outline.c) ---------------------------------------------------
- */
+/* ---- composite sections (section_composite.c) ----------------------------------------------- */
 
 enum { HOBE_MAX_REGIONS = 32 }; /* parts of a composite section */
 
@@ -730,7 +729,8 @@ struct hobe_solution_info {
     double time;       /* s, of drives, histories and hobe_dynamic */
     int negative;      /* negative eigenvalues of the tangent stiffness, 0 where the equilibrium is
                           stable, as it may be with some where the scene spins (hobe_modal tells);
-                          -1: not counted, as by hobe_static then, and with follower forces */
+                          -1: not counted, as by hobe_static then, and with follower forces, and in
+                          a motion but for the equilibrium that it starts from */
     double limit_load; /* the load factor of a limit point on the path from rest, beyond which the
                           equilibrium lies on another branch, which a load that grows comes to by a
                           jump; 0: none was met (jump.h; not looked for from options.start) */

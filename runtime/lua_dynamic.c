@@ -340,6 +340,7 @@ static int solve_dynamic(lua_State *L)
         hobe_lua_warn(L, HOBE_LUA_WARN_DAMPING,
                       "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
                       "motions with joints may fail");
+    hobe_lua_warn_start(L, hobe_history_state(history->history, 0));
     warn_of_steps(L, history->history);
     return 1;
 }

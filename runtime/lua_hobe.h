@@ -28,7 +28,11 @@ extern const struct hobe_lua_entry hobe_lua_section_entries[];   /* lua_section.
 extern const struct hobe_lua_entry hobe_lua_composite_entries[]; /* lua_composite.c */
 extern const struct hobe_lua_entry hobe_lua_taper_entries[];     /* lua_taper.c */
 extern const struct hobe_lua_entry hobe_lua_section_methods[];   /* lua_taper.c */
-extern const struct hobe_lua_entry hobe_lua_item_entries[];      /* lua_item.c */
+extern const struct hobe_lua_entry hobe_lua_beam_entries[];      /* lua_beam.c */
+extern const struct hobe_lua_entry hobe_lua_body_entries[];      /* lua_body.c */
+extern const struct hobe_lua_entry hobe_lua_joint_entries[];     /* lua_joint.c */
+extern const struct hobe_lua_entry hobe_lua_spring_entries[];    /* lua_spring.c */
+extern const struct hobe_lua_entry hobe_lua_load_entries[];      /* lua_load.c */
 extern const struct hobe_lua_entry hobe_lua_drive_entries[];     /* lua_drive.c */
 extern const struct hobe_lua_entry hobe_lua_scene_entries[];     /* lua_scene.c */
 extern const struct hobe_lua_entry hobe_lua_reduce_entries[];    /* lua_reduce.c */

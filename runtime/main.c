@@ -8,6 +8,7 @@
 
 #include "element.h"
 #include "points.h"
+#include "smaller.h"
 
 #include <lualib.h>
 #include <math.h>
@@ -370,6 +371,19 @@ static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
         explain_symmetry(text, k, s);
 }
 
+/* What it runs on where the section drops modes. */
+static void explain_within(struct hobe_text *text, const struct hobe_kernel *k)
+{
+    const char *before = "where the section drops other modes, it runs on, and costs as much as, ";
+    for (int i = 0; hobe_kernels()[i]; i++)
+        if (kernel_within(hobe_kernels()[i], k)) {
+            hobe_text_add(text, "%s%s", before, hobe_kernels()[i]->name);
+            before = " or ";
+        }
+    if (*before == ' ')
+        hobe_text_add(text, "\n");
+}
+
 static int explain_element(const char *name)
 {
     struct hobe_error err;
@@ -382,6 +396,7 @@ static int explain_element(const char *name)
     hobe_text_add(&text, "\ndefault mechanics: %s\npoints on the axis: %d\n", k->mechanics,
                   k->stations);
     explain_plans(&text, k);
+    explain_within(&text, k);
     hobe_text_add(&text, "declaration: %s\n", k->hash);
     hobe_text_add(&text, "nodal vectors, three degrees of freedom each, in order:\n");
     for (int v = 0; v < k->vectors; v++) {
