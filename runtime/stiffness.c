@@ -66,21 +66,21 @@ static int set_fields(const hobe_element *element, double *fields)
     return count;
 }
 
-/* Q = F K F' / length for the rows F[count][n]; force[n] is scratch. */
+/* Q = F K F' / length for the rows F[count][n], each of which is zero but for the vectors of a mode
+ * or two, and a symmetric K; force[n] is scratch. */
 static void project(double length, int n, const double *K, const double *F, int count,
                     double *force, double *Q)
 {
     for (int j = 0; j < count; j++) {
-        for (int a = 0; a < n; a++) {
-            force[a] = 0;
-            for (int b = 0; b < n; b++)
-                force[a] += K[a * n + b] * F[j * n + b];
-        }
-        for (int i = 0; i < count; i++) {
+        memset(force, 0, (size_t)n * sizeof *force);
+        for (int b = 0; b < n; b++)
+            for (int a = 0; a < n && F[j * n + b] != 0; a++)
+                force[a] += F[j * n + b] * K[b * n + a];
+        for (int i = 0; i <= j; i++) {
             double sum = 0;
             for (int a = 0; a < n; a++)
                 sum += F[i * n + a] * force[a];
-            Q[i * count + j] = sum / length;
+            Q[i * count + j] = Q[j * count + i] = sum / length;
         }
     }
 }
