@@ -143,6 +143,11 @@ static enum hobe_status search(struct search *s, struct hobe_error *err)
         status = advise_weigh_without(s, err);
     if (!status)
         advise_weigh_levels(s);
+    for (int i = 0; i < s->advice->trials; i++) {
+        struct advise_trial *trial = s->advice->trial + i;
+        if (!trial->failed)
+            trial->error = advise_loss_of(s, trial->value, s->advice->best);
+    }
     return status;
 }
 

@@ -82,19 +82,20 @@ const char *advise_step(const struct hobe_kernel *kernel);
  * elimination along the beam. */
 double advise_cost(const struct advise_model *model, int iterations);
 
-/* A model that was run. */
-struct advise_trial {
-    struct advise_model model;
-    int failed;
-    char *why;     /* the sentence, of one that failed */
-    double *value; /* [quantities] */
-    double cost;   /* operations */
-};
-
 /* A loss: the largest error of a quantity, relative, and which it is. */
 struct advise_loss {
     double size;
     int quantity;
+};
+
+/* A model that was run. */
+struct advise_trial {
+    struct advise_model model;
+    int failed;
+    char *why;                /* the sentence, of one that failed */
+    double *value;            /* [quantities] */
+    double cost;              /* operations */
+    struct advise_loss error; /* beside the estimate in the end; of one that ran */
 };
 
 struct advice {
@@ -133,9 +134,13 @@ enum { ADVISE_EFFECTS = ADVISE_LEVELS + ADVISE_WITHOUTS + 2 };
 /* Those that are known: effect[ADVISE_EFFECTS]; their number. */
 int advise_evidence(const struct advice *advice, struct advise_effect *effect);
 
-/* Appends the choice as a sentence, and the evidence as another, or as a table. */
+/* Appends the choice as a sentence, and the evidence as another. */
 void advise_say(const struct advice *advice, struct hobe_text *text);
 void advise_say_evidence(const struct advice *advice, struct hobe_text *text);
+
+/* Appends values and evidence as tables; or, as JSON, a line, an object of four arrays: choice (one
+ * object, with the command that runs it), values, evidence and trials. */
 void advise_table(const struct advice *advice, struct hobe_text *text);
+void advise_json(const struct advice *advice, const char *command, struct hobe_text *text);
 
 #endif

@@ -30,6 +30,7 @@ static const char usage[] =
     "      --model=ELEMENT:ELEMENTS     the same element and mesh for all scenes (and :linear)\n"
     "  hobe advise CASE [name=value ...] the cheapest model that holds an accuracy\n"
     "      --accuracy A                 largest relative error of a value of the report (1e-3)\n"
+    "      --format table|json          how the advice is printed (table)\n"
     "  hobe chart CASE [name=value,...] run a ladder of models of a case: error against time\n"
     "      --quick                      fewer meshes, three rounds\n"
     "      --limit S                    processor time of a run (60)\n"
