@@ -14,7 +14,7 @@ static const double LEAST_OPEN = 0.02; /* where a choice hangs on it */
 static int same_model(const struct advise_model *a, const struct advise_model *b)
 {
     return a->kernel == b->kernel && a->elements == b->elements && a->linear == b->linear &&
-           a->without == b->without;
+           a->step == b->step && a->without == b->without;
 }
 
 const struct advise_trial *advise_find_trial(const struct search *s,
@@ -98,12 +98,14 @@ static enum hobe_status open_search(struct search *s, const struct advise_proble
                                     struct advice *advice, struct hobe_error *err)
 {
     const size_t n = (size_t)problem->quantities;
-    *advice = (struct advice){.problem = problem, .model = -1, .linear = {NAN, 0}};
+    *advice =
+        (struct advice){.problem = problem, .model = -1, .linear = {NAN, 0}, .step = {NAN, 0}};
     for (int i = 0; i < ADVISE_WITHOUTS; i++)
         advice->without[i].size = NAN;
     for (int l = 1; l < ADVISE_LEVELS; l++)
         advice->level[l].size = NAN;
     *s = (struct search){.problem = problem, .advice = advice};
+    s->accuracy = problem->moves ? 0.5 * problem->accuracy : problem->accuracy;
     advice->best = hobe_alloc(n, sizeof *advice->best, err);
     s->scale = hobe_alloc(n, sizeof *s->scale, err);
     s->x = hobe_alloc(n, sizeof *s->x, err);
@@ -137,6 +139,8 @@ static enum hobe_status search(struct search *s, struct hobe_error *err)
     }
     if (!status)
         status = advise_try_twins(s, err);
+    if (!status && s->problem->moves)
+        status = advise_choose_step(s, err);
     if (!status && (s->problem->weighs_linear || s->problem->takes_linear))
         status = advise_weigh_linear(s, err);
     if (!status)

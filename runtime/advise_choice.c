@@ -12,17 +12,15 @@ static const double HOPE = 1.3;    /* times the accuracy that a prediction may m
 static const int MESH[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
 enum { MESHES = sizeof MESH / sizeof *MESH };
 
-/* Whether a trial is within the accuracy; *error is its own, what is open included. */
-static int holds(const struct search *s, const struct advise_trial *trial,
+int advise_holds(const struct search *s, const struct advise_trial *trial,
                  struct advise_loss *error)
 {
     *error = advise_loss_of(s, trial->value, s->advice->best);
     error->size += s->advice->open;
-    return error->size <= s->problem->accuracy;
+    return error->size <= s->accuracy;
 }
 
-/* Takes a trial. */
-static void take(struct search *s, const struct advise_trial *trial, int held,
+void advise_take(struct search *s, const struct advise_trial *trial, int held,
                  struct advise_loss error)
 {
     s->advice->model = (int)(trial - s->advice->trial);
@@ -62,15 +60,15 @@ enum hobe_status advise_choose(struct search *s, struct hobe_error *err)
         done = cheapest;
         const struct advise_trial *trial = advise_find_trial(s, &next);
         advise_predict(s, level, next.elements, s->x);
-        if (!trial && advise_loss_of(s, s->x, s->advice->best).size > HOPE * s->problem->accuracy)
+        if (!trial && advise_loss_of(s, s->x, s->advice->best).size > HOPE * s->accuracy)
             continue;
         const enum hobe_status status = advise_try_model(s, &next, &trial, err);
         if (status)
             return status;
         struct advise_loss error;
-        const int held = trial && holds(s, trial, &error);
+        const int held = trial && advise_holds(s, trial, &error);
         if (trial && (held || s->advice->model < 0 || error.size < s->advice->error.size))
-            take(s, trial, held, error);
+            advise_take(s, trial, held, error);
         if (held)
             return HOBE_OK;
     }
@@ -87,8 +85,7 @@ int advise_hangs(const struct search *s)
             continue;
         if (a->holds && trial->cost > 0.5 * a->trial[a->model].cost)
             continue;
-        if (advise_loss_of(s, trial->value, a->best).size - a->open < s->problem->accuracy &&
-            i != a->model)
+        if (advise_loss_of(s, trial->value, a->best).size - a->open < s->accuracy && i != a->model)
             return 1;
     }
     return 0;
@@ -109,8 +106,8 @@ enum hobe_status advise_try_element(struct search *s, const struct hobe_kernel *
         const enum hobe_status status = advise_try_model(s, &model, &trial, err);
         if (status)
             return status;
-        if (trial && holds(s, trial, &error)) {
-            take(s, trial, 1, error);
+        if (trial && advise_holds(s, trial, &error)) {
+            advise_take(s, trial, 1, error);
             return HOBE_OK;
         }
     }

@@ -14,7 +14,7 @@ enum hobe_status advise_weigh_linear(struct search *s, struct hobe_error *err)
     if (status || !trial)
         return status;
     a->linear = advise_loss_of(s, trial->value, a->trial[a->model].value);
-    if (!s->problem->takes_linear || a->linear.size > 2 * s->problem->accuracy)
+    if (!s->problem->takes_linear || a->linear.size > 2 * s->accuracy)
         return HOBE_OK;
     return advise_try_element(s, model.kernel, 1, err);
 }

@@ -10,14 +10,17 @@
 
 /* ---- models as words ------------------------------------------------------------------------- */
 
-static const char LINEAR[] = "linear";
+static const char LINEAR[] = "linear", TIMES[] = "step=";
 static const char *const WITHOUT[] = {
     [ADVISE_NO_SHEAR] = "no-shear", [ADVISE_NO_POISSON] = "no-poisson"};
 
 void advise_model_word(const struct advise_model *model, char *text)
 {
-    snprintf(text, ADVISE_WORD, "%s:%d%s%s%s%s", model->kernel->name, model->elements,
-             model->linear ? ":" : "", model->linear ? LINEAR : "", model->without ? ":" : "",
+    char step[40] = "";
+    if (model->step > 0)
+        snprintf(step, sizeof step, ":%s%.17g", TIMES, model->step);
+    snprintf(text, ADVISE_WORD, "%s:%d%s%s%s%s%s", model->kernel->name, model->elements,
+             model->linear ? ":" : "", model->linear ? LINEAR : "", step, model->without ? ":" : "",
              model->without ? WITHOUT[model->without] : "");
 }
 
@@ -26,6 +29,11 @@ static int read_manner(const char *word, struct advise_model *model)
 {
     if (!strcmp(word, LINEAR))
         return model->linear = 1;
+    if (!strncmp(word, TIMES, strlen(TIMES))) {
+        char *end;
+        model->step = strtod(word + strlen(TIMES), &end);
+        return *end == '\0' && isfinite(model->step) && model->step > 0;
+    }
     for (int w = ADVISE_COMPLETE + 1; w < ADVISE_WITHOUTS; w++)
         if (!strcmp(word, WITHOUT[w])) {
             model->without = (enum advise_without)w;
@@ -52,10 +60,11 @@ enum hobe_status advise_read_model(const char *text, struct advise_model *model,
         good = read_manner(word, model);
     if (good)
         return HOBE_OK;
-    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                     "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :no-shear or "
-                     ":no-poisson, such as MGD30w:8, got \"%.100s\"",
-                     most, text);
+    return hobe_fail(
+        err, HOBE_BAD_INPUT, NULL,
+        "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :step=FACTOR, "
+        ":no-shear or :no-poisson, such as MGD30w:8, got \"%.100s\"",
+        most, text);
 }
 
 /* ---- evidence -------------------------------------------------------------------------------- */
@@ -86,6 +95,7 @@ int advise_evidence(const struct advice *a, struct advise_effect *effect)
     effect[count++] = (struct advise_effect){"large displacements",
                                              verdict(a, a->linear, !model->linear), a->linear};
     effect[count++] = (struct advise_effect){"a finer mesh", "left out", a->mesh};
+    effect[count++] = (struct advise_effect){"a shorter step", "left out", a->step};
     int known = 0;
     for (int i = 0; i < count; i++)
         if (!isnan(effect[i].loss.size))
@@ -108,8 +118,11 @@ void advise_say(const struct advice *a, struct hobe_text *text)
                   a->holds ? "accuracy %g is held by "
                            : "no model tried holds accuracy %g; nearest is ",
                   a->problem->accuracy);
-    hobe_text_add(text, "%s, %d element%s%s: error about ", model->kernel->name, model->elements,
+    hobe_text_add(text, "%s, %d element%s%s", model->kernel->name, model->elements,
                   model->elements > 1 ? "s" : "", model->linear ? ", linear" : "");
+    if (model->step > 0)
+        hobe_text_add(text, ", %g times the step", model->step);
+    hobe_text_add(text, ": error about ");
     add_loss(a, a->error, text);
 }
 
@@ -159,7 +172,8 @@ static void fill_loss(const struct advice *a, struct advise_loss loss, struct ho
 static struct sheet values_of(const struct advice *a)
 {
     enum { NAME, VALUE, UNIT, BEST, COLUMNS };
-    static const char *const head[COLUMNS] = {"value", "this model", "unit", "estimate of the finest"};
+    static const char *const head[COLUMNS] = {"value", "this model", "unit",
+                                              "estimate of the finest"};
     const struct advise_problem *p = a->problem;
     const struct sheet sheet = new_sheet("values", (size_t)p->quantities, COLUMNS, head);
     struct hobe_cell *row = sheet.cell;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the rooms of the search for a model share: advise.c, advise_sequence.c, advise_choice.c and
- * advise_evidence.c. */
+/* What the rooms of the search for a model share: advise.c, advise_sequence.c, advise_choice.c,
+ * advise_step.c and advise_evidence.c. */
 #ifndef HOBE_ADVISE_SEARCH_H
 #define HOBE_ADVISE_SEARCH_H
 
@@ -30,9 +30,10 @@ struct search {
     struct advice *advice;
     struct level level[ADVISE_LEVELS];
     int levels;
-    int base;      /* Q is the limit of this level's Q(s, n) and of the D above it */
-    double *scale; /* [quantities] by which errors are measured */
-    double *x;     /* [quantities] what is at hand */
+    int base;        /* Q is the limit of this level's Q(s, n) and of the D above it */
+    double accuracy; /* that is sought at the moment */
+    double *scale;   /* [quantities] by which errors are measured */
+    double *x;       /* [quantities] what is at hand */
 };
 
 static inline struct advise_model plain(const struct hobe_kernel *kernel, int elements)
@@ -57,6 +58,17 @@ enum hobe_status advise_start_level(struct search *s, const struct hobe_kernel *
                                     struct hobe_error *err);
 void advise_close_level(struct level *level);
 
+/* A sequence without terms, of n quantities. */
+enum hobe_status advise_open_sequence(struct sequence *of, size_t n, struct hobe_error *err);
+void advise_close_sequence(struct sequence *of);
+
+/* Adds a term: a - b, b NULL: 0.  A sequence begins anew where a mesh is missing. */
+void advise_add_term(const struct search *s, struct sequence *to, int which, int elements,
+                     const double *a, const double *b);
+
+/* By what errors are measured, of the estimate. */
+void advise_set_scale(struct search *s);
+
 /* The largest |a - b| over the quantities; b NULL: 0. */
 struct advise_loss advise_loss_of(const struct search *s, const double *a, const double *b);
 
@@ -72,6 +84,14 @@ enum hobe_status advise_settle(struct search *s, double open, struct hobe_error 
  * failing that the nearest is taken. */
 enum hobe_status advise_choose(struct search *s, struct hobe_error *err);
 
+/* Whether a trial is within the accuracy; *error is its own, what is open included. */
+int advise_holds(const struct search *s, const struct advise_trial *trial,
+                 struct advise_loss *error);
+
+/* Takes a trial. */
+void advise_take(struct search *s, const struct advise_trial *trial, int held,
+                 struct advise_loss error);
+
 /* Whether what is open of the estimate decides: one that costs less than half may hold, too. */
 int advise_hangs(const struct search *s);
 
@@ -81,6 +101,12 @@ enum hobe_status advise_try_element(struct search *s, const struct hobe_kernel *
 
 /* Tries the elements that have the section modes of the model taken. */
 enum hobe_status advise_try_twins(struct search *s, struct hobe_error *err);
+
+/* ---- the step in time (advise_step.c) -------------------------------------------------------- */
+
+/* Finds what the script's step leaves open, adds that to the estimate, and takes the model taken
+ * with the longest step that holds. */
+enum hobe_status advise_choose_step(struct search *s, struct hobe_error *err);
 
 /* ---- the evidence (advise_evidence.c) -------------------------------------------------------- */
 

@@ -64,11 +64,9 @@ static void find_limits(const struct search *s, int which, struct sequence *of)
                    of->ratio + i);
 }
 
-/* Adds a term: a - b, b NULL: 0.  A sequence begins anew where a mesh is missing. */
-static void add_term(const struct search *s, struct level *level, int which, int elements,
+void advise_add_term(const struct search *s, struct sequence *to, int which, int elements,
                      const double *a, const double *b)
 {
-    struct sequence *to = level->of + which;
     const int n = s->problem->quantities;
     if (to->count > 0 && to->mesh[to->count - 1] >= elements)
         return;
@@ -91,7 +89,7 @@ static enum hobe_status add_mesh(struct search *s, int l, int elements, int *ran
     *ran = own != NULL;
     if (status || !own)
         return status;
-    add_term(s, &s->level[l], OWN, elements, own->value, NULL);
+    advise_add_term(s, &s->level[l].of[OWN], OWN, elements, own->value, NULL);
     for (int above = l; above <= l + 1 && above < s->levels; above++) {
         if (above == 0)
             continue;
@@ -100,7 +98,7 @@ static enum hobe_status add_mesh(struct search *s, int l, int elements, int *ran
         const struct advise_trial *a = advise_find_trial(s, &pair[0]),
                                   *b = advise_find_trial(s, &pair[1]);
         if (a && b && !a->failed && !b->failed)
-            add_term(s, &s->level[above], STEP, elements, a->value, b->value);
+            advise_add_term(s, &s->level[above].of[STEP], STEP, elements, a->value, b->value);
     }
     return HOBE_OK;
 }
@@ -121,7 +119,7 @@ static enum hobe_status refine(struct search *s, int l, int which, struct hobe_e
     return status;
 }
 
-static enum hobe_status open_sequence(struct sequence *of, size_t n, struct hobe_error *err)
+enum hobe_status advise_open_sequence(struct sequence *of, size_t n, struct hobe_error *err)
 {
     of->term = hobe_alloc(DOUBLINGS * n, sizeof *of->term, err);
     of->limit = hobe_alloc(3 * n, sizeof *of->limit, err);
@@ -134,12 +132,16 @@ static enum hobe_status open_sequence(struct sequence *of, size_t n, struct hobe
     return HOBE_OK;
 }
 
+void advise_close_sequence(struct sequence *of)
+{
+    hobe_free(of->term);
+    hobe_free(of->limit);
+}
+
 void advise_close_level(struct level *level)
 {
-    for (int k = 0; k < SEQUENCES; k++) {
-        hobe_free(level->of[k].term);
-        hobe_free(level->of[k].limit);
-    }
+    for (int k = 0; k < SEQUENCES; k++)
+        advise_close_sequence(level->of + k);
 }
 
 enum hobe_status advise_start_level(struct search *s, const struct hobe_kernel *kernel,
@@ -149,7 +151,7 @@ enum hobe_status advise_start_level(struct search *s, const struct hobe_kernel *
     enum hobe_status status = HOBE_OK;
     *level = (struct level){.kernel = kernel};
     for (int k = 0; !status && k < SEQUENCES; k++)
-        status = open_sequence(&level->of[k], (size_t)s->problem->quantities, err);
+        status = advise_open_sequence(&level->of[k], (size_t)s->problem->quantities, err);
     for (int mesh = 1; !status && level->of[OWN].count < 2 && mesh <= s->problem->most; mesh *= 2) {
         int ran;
         status = add_mesh(s, s->levels - 1, mesh, &ran, err);
@@ -161,8 +163,7 @@ enum hobe_status advise_start_level(struct search *s, const struct hobe_kernel *
 
 /* ---- the estimate ---------------------------------------------------------------------------- */
 
-/* By what errors are measured. */
-static void set_scale(struct search *s)
+void advise_set_scale(struct search *s)
 {
     const struct advise_problem *p = s->problem;
     const double *best = s->advice->best;
@@ -204,7 +205,7 @@ static void estimate_from(struct search *s, int base)
             s->x[i] += part_of(s, l, base)->open[i];
         }
     }
-    set_scale(s);
+    advise_set_scale(s);
     s->base = base;
     a->open = advise_loss_of(s, s->x, NULL).size;
 }
@@ -261,7 +262,7 @@ void advise_predict(const struct search *s, int level, int elements, double *x)
 enum hobe_status advise_settle(struct search *s, double open, struct hobe_error *err)
 {
     enum hobe_status status = HOBE_OK;
-    for (estimate(s); !status && s->advice->open > open * s->problem->accuracy; estimate(s)) {
+    for (estimate(s); !status && s->advice->open > open * s->accuracy; estimate(s)) {
         int worst = -1;
         double most = 0;
         for (int l = s->base; l < s->levels; l++) {

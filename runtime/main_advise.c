@@ -150,6 +150,8 @@ static int search(struct subject *subject)
                                            .levels = advise_levels(level),
                                            .level = level,
                                            .most = MOST_ELEMENTS,
+                                           .moves = ladder_find(&subject->first, "stepped", 1, 0) !=
+                                                    NULL,
                                            .takes_linear = 1,
                                            .run = run_model,
                                            .context = subject};
