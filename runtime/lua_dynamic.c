@@ -351,7 +351,7 @@ static int solve_dynamic(lua_State *L)
     struct hobe_history_info info;
     hobe_history_info(history->history, &info);
     context->cost.solve += info.seconds;
-    context->cost.factorisations += info.factorisations;
+    context->cost.factorisations += info.iterations;
     if (context->program && context->folder)
         write_rows(context, history->history);
     hobe_lua_note_reduced(L, last_indicator(history->history), NULL);

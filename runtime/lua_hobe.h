@@ -123,7 +123,8 @@ struct hobe_lua {
     struct {                          /* what the scenes took so far */
         double setup, solve;          /* s */
         long unknowns;                /* of the largest */
-        long factorisations;          /* of statics, paths and motions */
+        long factorisations;          /* of statics and paths; of motions iterations, each
+                                         of which evaluates forces even where it factors nothing */
     } cost;
     long warned[HOBE_LUA_WARNINGS]; /* how often */
     struct hobe_lua_file *file;
