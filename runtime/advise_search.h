@@ -6,7 +6,9 @@
 
 #include "advise.h"
 
-enum { DOUBLINGS = 9 }; /* meshes 1, 2, 4, ... ADVISE_MOST of a sequence */
+/* Sequences go on to meshes twice as fine as those that may be taken: where layers at an end need
+ * the finest of these, the term behind it says how much they leave open. */
+enum { BEYOND = 2, DOUBLINGS = 10 }; /* meshes 1, 2, 4, ... BEYOND * ADVISE_MOST */
 
 /* A sequence over meshes, each twice as fine as the one before, and what it tends to. */
 struct sequence {

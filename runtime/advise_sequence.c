@@ -110,7 +110,7 @@ static enum hobe_status refine(struct search *s, int l, int which, struct hobe_e
     const struct sequence *of = &s->level[l].of[which];
     int next = of->count > 0 ? 2 * of->mesh[of->count - 1] : 1, ran = 0;
     enum hobe_status status = HOBE_OK;
-    for (int k = 0; !status && !ran && k < 2 && next <= s->problem->most; k++, next *= 2) {
+    for (int k = 0; !status && !ran && k < 2 && next <= BEYOND * s->problem->most; k++, next *= 2) {
         ran = 1;
         for (int below = 0; !status && ran && below <= which; below++)
             status = add_mesh(s, l - below, next, &ran, err);
