@@ -32,6 +32,7 @@ static const char usage[] =
     "                                   :paper for the paper's points of integration)\n"
     "  hobe advise CASE [name=value ...] the cheapest model that holds an accuracy\n"
     "      --accuracy A                 largest relative error of a value of the report (1e-3)\n"
+    "      --format table|json          how the advice is printed (table)\n"
     "  hobe chart CASE [name=value,...] run a ladder of models of a case: error against time\n"
     "      element=A,B elements=1,2     of a case that names no ladder (all; 1,2,4,8,16,32)\n"
     "      --model=A:1,B:2,...          these models, of any case\n"
