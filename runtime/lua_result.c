@@ -44,7 +44,7 @@ const struct hobe_lua_field hobe_lua_result_fields[] = {
     SOLVED("limit_load", solution.limit_load, 'd', NULL,
            "load factor of the limit point where the path from rest turns, where hobe.static found "
            "an equilibrium beyond it, which a growing load comes to by a jump, and warned of that; "
-           "0: none was met (not looked for from `start`)"),
+           "also of the first state of a motion; 0: none was met (not looked for from `start`)"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
