@@ -724,6 +724,7 @@ struct hobe_newton {
 };
 
 struct hobe_solution_info {
+    /* Of parts of a scene that nothing couples the most that one took, but all factorisations. */
     int steps, iterations, cutbacks, factorisations;
     double load;       /* load factor reached: 1 of hobe_static */
     double time;       /* s, of drives, histories and hobe_dynamic */
@@ -754,8 +755,9 @@ struct hobe_solution_info {
 /* Static equilibrium under all loads of the model from its reference or options.start; by series
  * the path to it is followed (hobe_path_follow), through limit points, too.  On success *solution
  * is owned by the caller and refers to the model, which must outlive it.  HOBE_NOT_CONVERGED says
- * how far the load got and what to try.  Large models are summed by several threads, as many as
- * OMP_NUM_THREADS allows; results do not depend on their number. */
+ * how far the load got and what to try.  Parts of the scene that nothing couples are solved each by
+ * itself.  Large models are summed by several threads, as many as OMP_NUM_THREADS allows; results
+ * do not depend on their number. */
 enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
                              hobe_solution **solution, struct hobe_error *err);
 void hobe_solution_free(hobe_solution *solution);

@@ -186,10 +186,7 @@ struct numbers {
     int nodes, dofs;
 };
 
-#define NUMBER(key, field, type, doc)                                                              \
-    {                                                                                              \
-        key, type, offsetof(struct numbers, field), NULL, doc                                      \
-    }
+#define NUMBER(key, field, type, doc) FIELD_AS(key, struct numbers, field, type, NULL, doc)
 
 static const struct hobe_lua_field fields[] = {
     NUMBER("nodes", nodes, 'i', "number of nodes"),

@@ -21,14 +21,13 @@ struct summary {
     struct hobe_model_info model;
 };
 
-#define SOLVED(key, field, type, unit, doc)                                                        \
-    {                                                                                              \
-        key, type, offsetof(struct summary, field), unit, doc                                      \
-    }
+#define SOLVED(key, field, type, unit, doc) FIELD_AS(key, struct summary, field, type, unit, doc)
 
 const struct hobe_lua_field hobe_lua_result_fields[] = {
     SOLVED("steps", solution.steps, 'i', NULL, "load steps taken"),
-    SOLVED("iterations", solution.iterations, 'i', NULL, "Newton iterations in all"),
+    SOLVED(
+        "iterations", solution.iterations, 'i', NULL,
+        "Newton iterations in all; of parts of the scene that nothing couples the most one took"),
     SOLVED("cutbacks", solution.cutbacks, 'i', NULL, "steps that were given up and halved"),
     SOLVED("factorisations", solution.factorisations, 'i', NULL, "factorisations in all"),
     SOLVED("residual", solution.residual, 'd', NULL, "relative residual at the end"),

@@ -84,19 +84,11 @@ void hobe_path_event_text(const struct hobe_path_event *event, char *text, size_
 
 /* ---- what is given --------------------------------------------------------------------------- */
 
-static hobe_solution **point(const hobe_path *path, int i)
-{
-    return i >= 0 && (size_t)i < path->points.count ? (hobe_solution **)path->points.item + i
-                                                    : NULL;
-}
-
 void hobe_path_free(hobe_path *path)
 {
     if (!path)
         return;
-    for (int i = 0; point(path, i); i++)
-        hobe_solution_free(*point(path, i));
-    hobe_free(path->points.item);
+    solutions_free(&path->points);
     hobe_free(path->events.item);
     hobe_free(path);
 }
@@ -108,15 +100,12 @@ void hobe_path_info(const hobe_path *path, struct hobe_path_info *info)
 
 const hobe_solution *hobe_path_point(const hobe_path *path, int i)
 {
-    return point(path, i) ? *point(path, i) : NULL;
+    return solutions_get(&path->points, i);
 }
 
 hobe_solution *hobe_path_take(hobe_path *path, int i)
 {
-    hobe_solution **at = point(path, i), *taken = at ? *at : NULL;
-    if (at)
-        *at = NULL;
-    return taken;
+    return solutions_take(&path->points, i);
 }
 
 const struct hobe_path_event *hobe_path_event(const hobe_path *path, int i)
