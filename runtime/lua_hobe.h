@@ -120,7 +120,6 @@ struct hobe_lua {
     struct hobe_text newton;          /* the log of all solves as CSV */
     struct hobe_text motion;          /* the balance of all motions as CSV */
     struct hobe_text chart;           /* what hobe.chart says, in lines of a record (ladder.h) */
-    int laddered;                     /* groups of models among them */
     int ask;                          /* that is all: hobe.chart raises the context itself as an
                                          error */
     struct {                          /* what the scenes took so far */

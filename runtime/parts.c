@@ -95,10 +95,11 @@ enum hobe_status parts_find(hobe_model *model, struct hobe_error *err)
         return HOBE_NO_MEMORY;
     if (parts->count < 2)
         return HOBE_OK;
-    snprintf(text, sizeof text,
-             "the scene falls into %d parts that nothing couples: statics solve each as a scene of "
-             "its own, which is exact",
-             parts->count);
+    snprintf(
+        text, sizeof text,
+        "statics solve %d parts of the scene, which nothing couples, each as a scene of its own: "
+        "that is exact",
+        parts->count);
     return model_add_note(model, text, err);
 }
 

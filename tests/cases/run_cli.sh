@@ -271,7 +271,7 @@ cat >box.lua <<'END'
 local hobe = require "hobe"
 local T = hobe.param("T", 20)
 local scene = hobe.scene{
-  hobe.beam{ name = "box", element = "MGD30w", elements = 4,
+  hobe.beam{ name = "box", element = "MGD30w", elements = 16,
              section = hobe.box{ width = 0.25, height = 0.05, thickness = 0.005 },
              material = { E = 1e9, nu = 0.3 }, from = {0, 0, 0}, to = {2, 0, 0} },
   hobe.clamp{ "box", at = 0 },

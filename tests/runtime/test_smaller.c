@@ -21,11 +21,13 @@ static hobe_section *made(hobe_section *section, const struct hobe_error *err)
     return section;
 }
 
-enum shape { RECTANGLE, CIRCLE, TUBE, SQUARE_BOX };
+enum shape { RECTANGLE, CIRCLE, TUBE, SQUARE_BOX, CONE };
 
 static hobe_section *section_of(enum shape shape)
 {
     struct hobe_error err;
+    if (shape == CONE)
+        return tapered(section_of(TUBE), made(hobe_section_tube(0.05, 0.04, &err), &err));
     return made(shape == RECTANGLE ? hobe_section_rectangle(0.1, 0.2, HOBE_WARPING_SERIES, &err)
                 : shape == CIRCLE  ? hobe_section_circle(0.1, &err)
                 : shape == TUBE    ? hobe_section_tube(0.1, 0.08, &err)
@@ -42,6 +44,7 @@ static const struct {
 } LEFT[] = {
     {"MGD30w", CIRCLE, HOBE_INTEGRATION_EXACT, "MGD30"},
     {"MGD30w", TUBE, HOBE_INTEGRATION_EXACT, "MGD30"},
+    {"MGD30w", CONE, HOBE_INTEGRATION_EXACT, "MGD30"},
     {"BE24w", TUBE, HOBE_INTEGRATION_EXACT, "BE24"},
     {"3433w", CIRCLE, HOBE_INTEGRATION_EXACT, "3433"},
     {"MGD30d", RECTANGLE, HOBE_INTEGRATION_EXACT, "MGD30w3"},
