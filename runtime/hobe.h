@@ -769,7 +769,8 @@ struct hobe_solution_info {
                           a motion but for the equilibrium that it starts from */
     double limit_load; /* the load factor of a limit point on the path from rest, beyond which the
                           equilibrium lies on another branch, which a load that grows comes to by a
-                          jump; 0: none was met (jump.h; not looked for from options.start) */
+                          jump; 0: none was met (jump.h; not looked for from options.start,
+                          nor with a projection) */
     double residual;   /* of the last iteration */
     double change;  /* of the displacements by a last correction, beyond what tolerance asked for,
                        relative to their size, in the norm sum u^2 K_0 over the diagonal of the
