@@ -405,7 +405,8 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      NULL, NULL},
     {"mesh_error", mesh_error, "r:mesh_error(beam)",
      "An estimate of how much too stiff the beam's mesh is in statics, from 0 to 1: the share that "
-     "is missing of what the loads do to it, beside the same element on a fine mesh.  It sees coarse "
+     "is missing of what the loads do to it, beside the same element on a fine mesh.  It sees "
+     "coarse "
      "meshes and elements that lock, between 0.3 and 3 times the truth in random cantilevers; not "
      "what loads do that act inside elements; 0 of 3333s and with integration `paper`.  "
      "`hobe.static` and, at its end, `hobe.path` warn where it is 0.01 or more.",
