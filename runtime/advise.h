@@ -30,11 +30,12 @@ struct advise_model {
     const struct hobe_kernel *kernel;
     int elements; /* of the beam that has most; others in the proportions of the scene */
     int linear;   /* the linear response */
+    int paper;    /* the paper's points of integration; else as the scene says */
     enum advise_without without;
 };
 
-/* A model as a word, "MGD30w:8", "MGD30w:8:linear", "MGD30w:8:no-shear": text[ADVISE_WORD]; and
- * back, HOBE_BAD_INPUT or HOBE_UNKNOWN for what is none. */
+/* A model as a word, "MGD30w:8", "MGD30w:8:linear", "MGD30w:8:paper", "MGD30w:8:no-shear":
+ * text[ADVISE_WORD]; and back, HOBE_BAD_INPUT or HOBE_UNKNOWN for what is none. */
 enum { ADVISE_WORD = 120 };
 void advise_model_word(const struct advise_model *model, char *text);
 enum hobe_status advise_read_model(const char *text, struct advise_model *model,

@@ -10,14 +10,15 @@
 
 /* ---- models as words ------------------------------------------------------------------------- */
 
-static const char LINEAR[] = "linear";
+static const char LINEAR[] = "linear", PAPER[] = "paper";
 static const char *const WITHOUT[] = {
     [ADVISE_NO_SHEAR] = "no-shear", [ADVISE_NO_POISSON] = "no-poisson"};
 
 void advise_model_word(const struct advise_model *model, char *text)
 {
-    snprintf(text, ADVISE_WORD, "%s:%d%s%s%s%s", model->kernel->name, model->elements,
-             model->linear ? ":" : "", model->linear ? LINEAR : "", model->without ? ":" : "",
+    snprintf(text, ADVISE_WORD, "%s:%d%s%s%s%s%s%s", model->kernel->name, model->elements,
+             model->linear ? ":" : "", model->linear ? LINEAR : "", model->paper ? ":" : "",
+             model->paper ? PAPER : "", model->without ? ":" : "",
              model->without ? WITHOUT[model->without] : "");
 }
 
@@ -26,6 +27,8 @@ static int read_manner(const char *word, struct advise_model *model)
 {
     if (!strcmp(word, LINEAR))
         return model->linear = 1;
+    if (!strcmp(word, PAPER))
+        return model->paper = 1;
     for (int w = ADVISE_COMPLETE + 1; w < ADVISE_WITHOUTS; w++)
         if (!strcmp(word, WITHOUT[w])) {
             model->without = (enum advise_without)w;
@@ -53,8 +56,8 @@ enum hobe_status advise_read_model(const char *text, struct advise_model *model,
     if (good)
         return HOBE_OK;
     return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                     "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :no-shear or "
-                     ":no-poisson, such as MGD30w:8, got \"%.100s\"",
+                     "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :paper, "
+                     ":no-shear or :no-poisson, such as MGD30w:8, got \"%.100s\"",
                      most, text);
 }
 

@@ -202,19 +202,11 @@ enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct 
 
 /* ---- what is given -------------------------------------------------------------------------- */
 
-static hobe_solution **state(const hobe_history *history, int i)
-{
-    return i >= 0 && (size_t)i < history->states.count ? (hobe_solution **)history->states.item + i
-                                                       : NULL;
-}
-
 void hobe_history_free(hobe_history *history)
 {
     if (!history)
         return;
-    for (int i = 0; state(history, i); i++)
-        hobe_solution_free(*state(history, i));
-    hobe_free(history->states.item);
+    solutions_free(&history->states);
     hobe_free(history->energies.item);
     hobe_free(history);
 }
@@ -226,15 +218,12 @@ void hobe_history_info(const hobe_history *history, struct hobe_history_info *in
 
 const hobe_solution *hobe_history_state(const hobe_history *history, int i)
 {
-    return state(history, i) ? *state(history, i) : NULL;
+    return solutions_get(&history->states, i);
 }
 
 hobe_solution *hobe_history_take(hobe_history *history, int i)
 {
-    hobe_solution **at = state(history, i), *taken = at ? *at : NULL;
-    if (at)
-        *at = NULL;
-    return taken;
+    return solutions_take(&history->states, i);
 }
 
 const struct hobe_energies *hobe_history_energies(const hobe_history *history, int i)

@@ -77,9 +77,7 @@ static int finalize(lua_State *L)
 }
 
 #define INFO(key, field, type, unit, doc)                                                          \
-    {                                                                                              \
-        key, type, offsetof(struct hobe_history_info, field), unit, doc                            \
-    }
+    FIELD_AS(key, struct hobe_history_info, field, type, unit, doc)
 
 static const struct hobe_lua_field fields[] = {
     INFO("count", states, 'i', NULL, "states that were kept, the start among them"),
