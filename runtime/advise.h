@@ -11,7 +11,11 @@
  * 1911), refined where most is open; differences of levels converge on meshes that leave the
  * quantity itself far from converged.  A model is taken when it was run and lies within the
  * accuracy of Q, what is open of Q included; and models are tried in the order of their cost.  Then
- * other elements with the same modes of the section, and the linear response, may do it cheaper. */
+ * other elements with the same modes of the section, and the linear response, may do it cheaper.
+ *
+ * In motions the step in time h adds one more difference, T(h) = Q(h) - Q(h_0) of the model taken,
+ * with a limit of its own: meshes are chosen for half of the accuracy with the step h_0 of the
+ * script, then the longest step is taken that holds the whole. */
 #ifndef HOBE_ADVISE_H
 #define HOBE_ADVISE_H
 
@@ -31,10 +35,11 @@ struct advise_model {
     int elements; /* of the beam that has most; others in the proportions of the scene */
     int linear;   /* the linear response */
     int paper;    /* the paper's points of integration; else as the scene says */
+    double step;  /* times the step in time of the script's motions of fixed step; 0: as it is */
     enum advise_without without;
 };
 
-/* A model as a word, "MGD30w:8", "MGD30w:8:linear", "MGD30w:8:paper", "MGD30w:8:no-shear":
+/* A model as a word, "MGD30w:8", "MGD30w:8:linear:paper", "MGD30w:8:step=0.5", "MGD30w:8:no-shear":
  * text[ADVISE_WORD]; and back, HOBE_BAD_INPUT or HOBE_UNKNOWN for what is none. */
 enum { ADVISE_WORD = 120 };
 void advise_model_word(const struct advise_model *model, char *text);
@@ -60,6 +65,7 @@ struct advise_problem {
     int levels;      /* at most ADVISE_LEVELS; each section's modes contain those before */
     const struct hobe_kernel *const *level;
     int most;          /* elements, at most */
+    int moves;         /* the scene's motions take fixed steps in time, which are to be chosen */
     int weighs_linear; /* what a linear model loses is to be known, ... */
     int takes_linear;  /* ... and it may be taken */
     advise_run *run;
@@ -83,19 +89,20 @@ const char *advise_step(const struct hobe_kernel *kernel);
  * elimination along the beam. */
 double advise_cost(const struct advise_model *model, int iterations);
 
-/* A model that was run. */
-struct advise_trial {
-    struct advise_model model;
-    int failed;
-    char *why;     /* the sentence, of one that failed */
-    double *value; /* [quantities] */
-    double cost;   /* operations */
-};
-
 /* A loss: the largest error of a quantity, relative, and which it is. */
 struct advise_loss {
     double size;
     int quantity;
+};
+
+/* A model that was run. */
+struct advise_trial {
+    struct advise_model model;
+    int failed;
+    char *why;                /* the sentence, of one that failed */
+    double *value;            /* [quantities] */
+    double cost;              /* operations */
+    struct advise_loss error; /* beside the estimate in the end; of one that ran */
 };
 
 struct advice {
@@ -105,6 +112,7 @@ struct advice {
     struct advise_loss error;             /* of it, by estimate, what is open included */
     double open;                          /* of the estimate of the quantities */
     struct advise_loss mesh;              /* error of its mesh alone */
+    struct advise_loss step;              /* and of its step in time alone; NaN: not known */
     struct advise_loss level[ADVISE_LEVELS];     /* what leaving out the step to a level loses, 0 of
                                                     the first */
     struct advise_loss linear;                   /* what a linear model loses; NaN: not known */
@@ -129,14 +137,18 @@ struct advise_effect {
     const char *effect, *verdict;
     struct advise_loss loss;
 };
-enum { ADVISE_EFFECTS = ADVISE_LEVELS + ADVISE_WITHOUTS + 2 };
+enum { ADVISE_EFFECTS = ADVISE_LEVELS + ADVISE_WITHOUTS + 3 };
 
 /* Those that are known: effect[ADVISE_EFFECTS]; their number. */
 int advise_evidence(const struct advice *advice, struct advise_effect *effect);
 
-/* Appends the choice as a sentence, and the evidence as another, or as a table. */
+/* Appends the choice as a sentence, and the evidence as another. */
 void advise_say(const struct advice *advice, struct hobe_text *text);
 void advise_say_evidence(const struct advice *advice, struct hobe_text *text);
+
+/* Appends values and evidence as tables; or, as JSON, a line, an object of four arrays: choice (one
+ * object, with the command that runs it), values, evidence and trials. */
 void advise_table(const struct advice *advice, struct hobe_text *text);
+void advise_json(const struct advice *advice, const char *command, struct hobe_text *text);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Motion in time as Lua sees it. */
 #define _GNU_SOURCE
+#include "advise.h"
 #include "journal.h"
 #include "lua_item.h"
 #include "lua_result.h"
@@ -291,6 +292,22 @@ static void warn_of_steps(lua_State *L, const hobe_history *history)
     hobe_lua_warn(L, HOBE_LUA_WARN_STEPS, text);
 }
 
+/* The step that the run's model asks for; steps that an accuracy chooses are left to it.  Without
+ * `store` every step is a state, and the script's states would be others. */
+static void change_step(lua_State *L, struct hobe_dynamic *options)
+{
+    struct hobe_lua *context = hobe_lua_context(L);
+    const double times = context->model ? context->model->step : 0;
+    if (options->accuracy > 0)
+        return;
+    context->stepped = 1;
+    if (times > 0 && !(options->store > 0))
+        hobe_lua_fail(L, "dynamic: a model with another step needs store, the time between the "
+                         "states that are kept");
+    if (times > 0)
+        options->step *= times;
+}
+
 /* hobe.dynamic(scene, options) */
 static int solve_dynamic(lua_State *L)
 {
@@ -301,6 +318,7 @@ static int solve_dynamic(lua_State *L)
     struct watch watch = {context, options.log || context->log, 0, hobe_lua_now()};
     struct hobe_error err;
     read_start(L, &options.dynamic);
+    change_step(L, &options.dynamic);
     options.dynamic.projection =
         hobe_lua_finish_projection(L, &dynamic_schema, &options.projection);
     struct history *history = lua_newuserdatauv(L, sizeof *history, 2);
@@ -331,6 +349,7 @@ static int solve_dynamic(lua_State *L)
     struct hobe_history_info info;
     hobe_history_info(history->history, &info);
     context->cost.solve += info.seconds;
+    context->cost.factorisations += info.iterations;
     if (context->program && context->folder)
         write_rows(context, history->history);
     hobe_lua_note_reduced(L, last_indicator(history->history), NULL);

@@ -110,6 +110,7 @@ struct hobe_lua {
     int solves;         /* calls of a solver verb so far */
     const struct advise_model *model; /* in place of what the script says of its models, or NULL;
                                          kept by the caller */
+    int stepped;                      /* some motion took steps in time that are fixed */
     int trying;                       /* models are being tried: nothing is noted */
     int overridden;                   /* some parameter is not at its default */
     int called;                       /* a function of the script is being called by the core */
@@ -125,7 +126,8 @@ struct hobe_lua {
     struct {                          /* what the scenes took so far */
         double setup, solve;          /* s */
         long unknowns;                /* of the largest */
-        long factorisations;          /* of statics and paths */
+        long factorisations;          /* of statics and paths; of motions iterations, each
+                                         of which evaluates forces even where it factors nothing */
     } cost;
     long warned[HOBE_LUA_WARNINGS]; /* how often */
     struct hobe_lua_file *file;

@@ -32,6 +32,7 @@ static const char usage[] =
     "                                   :paper for the paper's points of integration)\n"
     "  hobe advise CASE [name=value ...] the cheapest model that holds an accuracy\n"
     "      --accuracy A                 largest relative error of a value of the report (1e-3)\n"
+    "      --format table|json          how the advice is printed (table)\n"
     "  hobe chart CASE [name=value,...] run a ladder of models of a case: error against time\n"
     "      element=A,B elements=1,2     of a case that names no ladder (all; 1,2,4,8,16,32)\n"
     "      --model=A:1,B:2,...          these models, of any case\n"
@@ -391,7 +392,7 @@ static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
 /* What it runs on where the section drops modes. */
 static void explain_within(struct hobe_text *text, const struct hobe_kernel *k)
 {
-    const char *before = "where the section drops other modes, it runs on, and costs as much as, ";
+    const char *before = "on a section that drops its other modes it is, and costs no more than, ";
     for (int i = 0; hobe_kernels()[i]; i++)
         if (kernel_within(hobe_kernels()[i], k)) {
             hobe_text_add(text, "%s%s", before, hobe_kernels()[i]->name);

@@ -15,7 +15,8 @@ enum { MOST_ELEMENTS = 128 };
 struct subject {
     const char *script;
     double accuracy;
-    struct hobe_text words; /* "P=10 angle=30" */
+    enum hobe_lua_format format; /* table or JSON */
+    struct hobe_text words;      /* "P=10 angle=30" */
     struct ladder_record first;
     int quantities;
     const char **name, **unit; /* [quantities], in `first` */
@@ -113,42 +114,26 @@ static enum hobe_status ask(struct subject *subject, struct hobe_error *err)
 
 /* ---- what is said ---------------------------------------------------------------------------- */
 
-/* The values of the model taken beside the estimate. */
-static void say_values(const struct advice *advice, struct hobe_text *text)
-{
-    enum { NAME, VALUE, UNIT, BEST, COLUMNS };
-    static const char *const head[COLUMNS] = {"value", "this model", "", "estimate of the finest"};
-    const struct advise_problem *p = advice->problem;
-    const size_t rows = (size_t)p->quantities;
-    struct hobe_cell(*cell)[COLUMNS] = hobe_alloc(rows, sizeof *cell, NULL);
-    if (!cell) {
-        text->status = HOBE_NO_MEMORY;
-        return;
-    }
-    for (size_t i = 0; i < rows; i++) {
-        cell[i][NAME].text = p->name[i];
-        cell[i][VALUE].number = advice->trial[advice->model].value[i];
-        cell[i][UNIT].text = p->unit[i] ? p->unit[i] : "";
-        cell[i][BEST].number = advice->best[i];
-    }
-    hobe_table_text(text, &(struct hobe_table){NULL, COLUMNS, rows, head, cell[0]});
-    hobe_free(cell);
-}
-
 static int tell(const struct subject *subject, const struct advice *advice)
 {
-    struct hobe_text text = {0};
+    struct hobe_text text = {0}, command = {0};
     char word[ADVISE_WORD];
     const struct advise_trial *taken = advice->trial + advice->model;
     advise_model_word(&taken->model, word);
-    advise_say(advice, &text);
-    hobe_text_add(&text, "\n  hobe run %s %s%s--model=%s\n\n", subject->script,
+    hobe_text_add(&command, "hobe run %s %s%s--model=%s", subject->script,
                   subject->words.at ? subject->words.at : "", subject->words.at ? " " : "", word);
-    say_values(advice, &text);
-    hobe_text_add(&text, "\n");
-    advise_table(advice, &text);
-    hobe_text_add(&text, "\n%d models were run, %.3g times the operations of this one\n",
-                  advice->trials, advice->cost / taken->cost);
+    if (command.status)
+        text.status = command.status;
+    else if (subject->format == HOBE_LUA_JSON)
+        advise_json(advice, command.at, &text);
+    else {
+        advise_say(advice, &text);
+        hobe_text_add(&text, "\n  %s\n\n", command.at);
+        advise_table(advice, &text);
+        hobe_text_add(&text, "\n%d models were run, %.3g times the operations of this one\n",
+                      advice->trials, advice->cost / taken->cost);
+    }
+    hobe_text_free(&command);
     return print_text(&text) || !advice->holds;
 }
 
@@ -165,6 +150,8 @@ static int search(struct subject *subject)
                                            .levels = advise_levels(level),
                                            .level = level,
                                            .most = MOST_ELEMENTS,
+                                           .moves = ladder_find(&subject->first, "stepped", 1, 0) !=
+                                                    NULL,
                                            .takes_linear = 1,
                                            .run = run_model,
                                            .context = subject};
@@ -187,12 +174,22 @@ static int read_accuracy(const char *text, double *accuracy)
     return complain_usage("--accuracy must be a number between 0 and 1, got \"%.100s\"", text);
 }
 
+static int read_form(const char *text, enum hobe_lua_format *format)
+{
+    const int status = read_format(text, format);
+    if (status || *format != HOBE_LUA_CSV)
+        return status;
+    return complain_usage("advice is printed as table or json, not as %.100s", text);
+}
+
 /* Reads argv[*i]; 0, or the exit status after a complaint. */
 static int read_argument(struct subject *subject, char **argv, int *i)
 {
     const char *value;
     if ((value = option(argv, i, "--accuracy")))
         return read_accuracy(value, &subject->accuracy);
+    if ((value = option(argv, i, "--format")))
+        return read_form(value, &subject->format);
     if (*argv[*i] == '-')
         return complain_usage("unknown option or missing value: %.100s (see hobe help)", argv[*i]);
     if (strchr(argv[*i], '='))

@@ -113,6 +113,9 @@ void hobe_table_csv(struct hobe_text *text, const struct hobe_table *table);
  * row; empty cells are left out. */
 void hobe_table_json(struct hobe_text *text, const struct hobe_table *table);
 
+/* The same of several, table[tables], in one object. */
+void hobe_tables_json(struct hobe_text *text, const struct hobe_table *table, size_t tables);
+
 /* ---- pictures (output_plot.c) --------------------------------------------------------------- */
 
 enum hobe_style {

@@ -152,14 +152,22 @@ static void add_json(struct hobe_text *text, cJSON *root, int good)
     cJSON_Delete(root);
 }
 
-void hobe_table_json(struct hobe_text *text, const struct hobe_table *table)
+void hobe_tables_json(struct hobe_text *text, const struct hobe_table *table, size_t tables)
 {
     cJSON *root = cJSON_CreateObject();
-    cJSON *rows = root ? cJSON_AddArrayToObject(root, table->title) : NULL;
-    int good = rows != NULL;
-    for (size_t i = 0; good && i < table->rows; i++)
-        good = add_row(rows, table, table->cell + i * table->columns);
+    int good = root != NULL;
+    for (size_t k = 0; good && k < tables; k++) {
+        cJSON *rows = cJSON_AddArrayToObject(root, table[k].title);
+        good = rows != NULL;
+        for (size_t i = 0; good && i < table[k].rows; i++)
+            good = add_row(rows, &table[k], table[k].cell + i * table[k].columns);
+    }
     add_json(text, root, good);
+}
+
+void hobe_table_json(struct hobe_text *text, const struct hobe_table *table)
+{
+    hobe_tables_json(text, table, 1);
 }
 
 /* ---- reports -------------------------------------------------------------------------------- */

@@ -35,6 +35,28 @@ run 0 $command
 has stdout "^sag +$told "
 has stdout '^elements +1'
 
+# As JSON: the same choice, all trials with what they cost, and a command that gives its values.
+run 0 advise beam.lua --accuracy 1e-2 --format json
+cp stdout advice.json
+# shellcheck disable=SC2086 # arguments are words
+"$hobe" $command --format json >again.json 2>stderr
+python3 - "$command" <<'END' || complain "the JSON is not what it should be"
+import json, sys
+advice, again = json.load(open("advice.json")), json.load(open("again.json"))["report"]
+choice, = advice["choice"]
+assert choice["command"] == "hobe " + sys.argv[1], choice
+assert choice["holds"] == "yes" and choice["error"] <= choice["accuracy"] == 1e-2, choice
+total = sum(trial["operations"] for trial in advice["trials"])
+assert abs(total - choice["all operations"]) <= 1e-12 * total, choice
+taken, = [trial for trial in advice["trials"] if trial["model"] == choice["model"]]
+assert taken["operations"] == choice["operations"], taken
+value, = advice["values"]
+assert value["value"] == "sag" and value["unit"] == "m", value
+assert value["this model"] == again["sag"]["value"], value
+verdict = {e["effect"]: e["verdict"] for e in advice["evidence"]}
+assert verdict["large displacements"] == "left out" and verdict["shear"] == "kept", verdict
+END
+
 # Under a load that bends it far the response is not linear; parameters are passed on.
 run 0 advise beam.lua P=3000 --accuracy 1e-2
 has stdout '^large displacements +needed'
@@ -49,6 +71,8 @@ has stdout '^elements +1'
 run 2 advise
 run 2 advise beam.lua --accuracy 2
 has stderr '--accuracy must be a number between 0 and 1, got "2"'
+run 2 advise beam.lua --format csv
+has stderr 'advice is printed as table or json, not as csv'
 run 1 advise nowhere.lua
 has stderr 'nowhere\.lua'
 run 1 run beam.lua --model=MGD30w

@@ -144,7 +144,7 @@ static int cheaper_holds(struct cantilever *c, const struct hobe_kernel *richest
 
 /* How thorough the test is. */
 struct thoroughness {
-    int scenes, levels, finest, stride;
+    int scenes, levels, most, finest, stride;
     double accuracy;
 };
 
@@ -190,8 +190,8 @@ static void check_choice(const struct advice *advice, struct cantilever *c, cons
                cheaper.linear ? " linear" : "");
 }
 
-/* Advice about a random cantilever, the truth the richest level on twice the elements that a choice
- * may have. */
+/* Advice about a random cantilever, the truth the richest level on more elements than a choice may
+ * have. */
 static void check_advice(int kind, const struct thoroughness *how)
 {
     struct hobe_error err;
@@ -206,7 +206,7 @@ static void check_advice(int kind, const struct thoroughness *how)
                                            .accuracy = how->accuracy,
                                            .levels = levels,
                                            .level = level,
-                                           .most = how->finest / 2,
+                                           .most = how->most,
                                            .takes_linear = 1,
                                            .run = run,
                                            .context = &c};
@@ -223,9 +223,13 @@ static void check_advice(int kind, const struct thoroughness *how)
 int main(int argc, char **argv)
 {
     struct thoroughness how = {
-        .scenes = 4, .levels = 3, .finest = 128, .stride = 9, .accuracy = 3e-3};
+        .scenes = 4, .levels = 3, .most = 64, .finest = 128, .stride = 9, .accuracy = 3e-3};
     if (argc > 1)
-        how = (struct thoroughness){atoi(argv[1]), argc > 2 ? atoi(argv[2]) : 3, 256, 1,
+        how = (struct thoroughness){atoi(argv[1]),
+                                    argc > 2 ? atoi(argv[2]) : 3,
+                                    128,
+                                    512,
+                                    1,
                                     argc > 3 ? atof(argv[3]) : 1e-3};
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     random_start();
