@@ -8,9 +8,9 @@
 -- Where they stand they are still too soft in stretch, which a note says.  Mechanics `average`,
 -- the default, has neither.
 --
--- A long square with complete cubic modes stands up to nu = 2/5.  With e_yy = -e_zz = a on the axis,
--- E0 gives E A a^2 times the least mean of (1 + p y^2 + q z^2)^2, 2/7 (the shear of the cubics
--- cancels), and the axis takes E nu/(1 + nu) A a^2: as much, where nu = 2/5.
+-- A long square with complete cubic modes stands up to nu = 2/5.  With e_yy = -e_zz = a on the
+-- axis, E0 gives E A a^2 times the least mean of (1 + p y^2 + q z^2)^2, 2/7 (the shear of the
+-- cubics cancels), and the axis takes E nu/(1 + nu) A a^2: as much, where nu = 2/5.
 --
 -- No motion of an indefinite element can be begun.  One that stands barely, at nu = 0.398, is lost
 -- where a load presses it by 1 %: that equilibrium is unstable, which hobe.static and hobe.dynamic
