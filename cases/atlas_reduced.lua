@@ -1,5 +1,4 @@
--- Atlas of failures: reduced models against their number of modes and the distance from where they
--- were made, and under a load that they were not made for.
+-- Atlas of failures: reduced models against their modes and the distance from where they were made.
 --
 -- A square cantilever of 16 elements of MGD30w under an end torque; the basis holds the
 -- derivatives of the path at rest.  Each result brings an indicator, what the displacements may
@@ -33,7 +32,8 @@ end
 local rows, curves, unsaid = {}, {}, 0
 for i, count in ipairs(counts) do
   local reduced = hobe.reduce(whole, { modes = count })
-  curves[i] = { label = count .. " modes", style = "linespoints", x = {}, y = {} }
+  curves[i] = { label = count .. (count > 1 and " modes" or " mode"), style = "linespoints",
+                x = {}, y = {} }
   for j, angle in ipairs(angles) do
     local ok, r = pcall(hobe.static, reduced:on(torsion(angle)), { steps = 8 })
     rows[#rows + 1] = { count, truth[j], ok and r:twist("bar", 1) or "no equilibrium" }
@@ -42,7 +42,7 @@ for i, count in ipairs(counts) do
       rows[#rows][4], rows[#rows][5] = off, math.min(r.indicator, 9.99)
       if r.indicator < 0.01 then unsaid = math.max(unsaid, off) end
       table.insert(curves[i].x, truth[j])
-      table.insert(curves[i].y, math.log(math.max(off, 1e-12), 10))
+      table.insert(curves[i].y, math.max(off, 1e-12))
     end
   end
 end
@@ -51,8 +51,8 @@ hobe.table{
   columns = { "modes", "whole, rad", "reduced, rad", "off", "indicator" },
 }
 hobe.plot{
-  file = "reduced.png", title = "Torsion by few modes", xlabel = "twist, rad",
-  ylabel = "log10 of the error of the twist", series = curves,
+  file = "reduced.png", title = "Torsion by few modes", xlabel = "twist of the end, rad",
+  ylabel = "relative error of the twist", ylog = true, series = curves,
 }
 
 local across = bar(hobe.force{ "bar", at = 1, value = {0, 0, 0.1*E*section.Iyy/L^2} })

@@ -79,12 +79,12 @@ hobe.table{
 -- Over the distance from the origin, beside the digits that positions there have of a metre.
 local input = {}
 for k = 0, 12 do
-  x[k + 1], y[k + 1] = k, digits(answers{ at = 10^k }, u0)
+  x[k + 1], y[k + 1] = 10^k, digits(answers{ at = 10^k }, u0)
   input[k + 1] = 15.95 - k
 end
 hobe.plot{
   file = "roundoff.png", title = "A beam of 1 m far from the origin",
-  xlabel = "log10 of the distance, m", ylabel = "digits",
+  xlabel = "distance, m", ylabel = "digits that stay", xlog = true,
   series = { { x = x, y = y, label = "of displacements", style = "linespoints" },
              { x = x, y = input, label = "of positions to a metre" } },
 }

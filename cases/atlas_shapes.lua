@@ -5,8 +5,8 @@
 -- bends alike about all axes), and where its height goes to a part (the integral of M^2/EI +
 -- V^2/GA by Simpson's rule).  Elements with a cubic axis are exact at any ratio of lengths, and
 -- lose no more than 0.5 % at six radians of pretwist, three quarters of one an element, or a tenth
--- of the height; those with even curvature lose 1.5 %.  r:mesh_error tells of pretwist, not yet of
--- tapers.
+-- of the height; those with even curvature lose 1.5 %.  r:mesh_error tells of pretwist and of
+-- tapers, and is near enough to the truth that what is unsaid is what the warning begins with.
 --
 -- A pretwist or a curve that elements cannot follow is no error.  A kink is: it is refused with
 -- its place.
@@ -69,14 +69,15 @@ end
 local function tapered(element, share)
   local thin = hobe.rectangle{ width = h, height = share*h }
   local taper = hobe.taper{ from = hobe.rectangle{ width = h, height = h }, to = thin }
-  return solve({ clamp("beam"), piece{ name = "beam", element = element, elements = n,
-                                       section = taper } }, "beam")/theory(share) - 1
+  local u, r = solve({ clamp("beam"), piece{ name = "beam", element = element, elements = n,
+                                             section = taper } }, "beam")
+  return u/theory(share) - 1, r:mesh_error("beam")
 end
 
 -- ---- shapes ------------------------------------------------------------------------------------
 
 local worst, cubic, unsaid = 0, 0, 0
-local function sweep(title, error, values, head, file, xlabel, scale)
+local function sweep(title, error, values, head, file, xlabel, xlog)
   local rows, curves, columns = {}, {}, { "element" }
   for j, value in ipairs(values) do columns[j + 1] = string.format(head, value) end
   for i, element in ipairs(elements) do
@@ -88,22 +89,20 @@ local function sweep(title, error, values, head, file, xlabel, scale)
       worst = math.max(worst, math.abs(off))
       if i > 2 then cubic = math.max(cubic, math.abs(off)) end
       if estimate and estimate < 0.01 then unsaid = math.max(unsaid, math.abs(off)) end
-      curves[i].x[j], curves[i].y[j] = scale(value), math.log(math.max(math.abs(off), 1e-10), 10)
+      curves[i].x[j], curves[i].y[j] = value, math.max(math.abs(off), 1e-10)
     end
   end
   hobe.table{ title = title, columns = columns, rows = rows }
-  hobe.plot{ file = file, title = title, xlabel = xlabel, ylabel = "log10 of the relative error",
-             series = curves }
+  hobe.plot{ file = file, title = title, xlabel = xlabel, ylabel = "relative error",
+             series = curves, xlog = xlog, ylog = true }
 end
 
-local function log10(value) return math.log(value, 10) end
-local function same(value) return value end
 sweep("Uneven elements: error over the ratio of their lengths", uneven, { 1, 3, 10, 100 }, "%g",
-      "uneven.png", "log10 of the ratio", log10)
+      "uneven.png", "ratio", true)
 sweep("Pretwist: error over its angle, rad", twisted, { 0, 1, 3, 6, 12 }, "%g", "pretwist.png",
-      "rad", same)
+      "rad", false)
 sweep("Taper: error over the height of the end", tapered, { 1, 0.5, 0.25, 0.1 }, "%g h",
-      "tapers.png", "log10 of the end's height over h", log10)
+      "tapers.png", "height of the end over h", true)
 
 local ok, message = pcall(piece, { name = "kink", element = "MGD30w", elements = n,
                                    curve = function(t) return { t, 0, math.abs(t - 0.5) } end })
@@ -130,7 +129,7 @@ hobe.table{
 hobe.report{
   worst = { worst, "", expect = 0, within = 0.15 },            -- 12 rad of pretwist, as
   cubic = { cubic, "", expect = 0, within = 0.06 },            -- the tables show
-  unsaid_pretwist = { unsaid, "", expect = 0, within = 0.01 },
+  unsaid = { unsaid, "", expect = 0, within = 0.0125 },        -- said from an estimate of 0.01
   kink_refused = { ok and 0 or 1, "", expect = 1 },
   box_said = { said, "of 5", expect = 3 },
 }

@@ -11,7 +11,12 @@ Five stages, each a module with one input and one output; `__main__` runs them a
                         section.py      from station to station,
                         tensor.py       and as products with one tensor;
                         products.py     what both are made of
-    C                   emit.py         loop nests -> one C file per element, and the registry
+    C                   emit.py         loop nests -> one C file per element; its parts:
+                        tables.py       constants,
+                        law.py          what it makes of its section,
+                        batch.py        what the runtime calls;
+                        ctext.py        how numbers and tables are written
+                        registry.py     all elements for all machines
 
 All algebra is exact (sympy rationals); numbers become decimal only when printed.  The text depends
 on the declaration and on the generator alone: not on the version of sympy, on hash seeds, dates or

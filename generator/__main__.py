@@ -10,7 +10,7 @@ import os
 import sys
 import time
 
-from . import declaration, emit, invariants, plan, shape
+from . import ctext, declaration, emit, invariants, plan, registry, shape
 
 
 class Stages:
@@ -40,10 +40,10 @@ def generate(paths, only, stages):
         elements.append(stages.run("invariants", invariants.build, item, functions))
     files = {}
     for element in elements:
-        name = emit.identifier(element.declaration.name) + ".c"
+        name = ctext.identifier(element.declaration.name) + ".c"
         contraction = stages.run("contraction plan", plan.build, element)
         files[name] = stages.run("C", emit.element_file, element, contraction)
-    files["registry.c"] = stages.run("C", emit.registry_file, elements)
+    files["registry.c"] = stages.run("C", registry.write, elements)
     return files
 
 

@@ -14,7 +14,7 @@ static const double LEAST_OPEN = 0.02; /* where a choice hangs on it */
 static int same_model(const struct advise_model *a, const struct advise_model *b)
 {
     return a->kernel == b->kernel && a->elements == b->elements && a->linear == b->linear &&
-           a->step == b->step && a->without == b->without;
+           a->paper == b->paper && a->step == b->step && a->without == b->without;
 }
 
 const struct advise_trial *advise_find_trial(const struct search *s,

@@ -34,11 +34,13 @@ struct advise_model {
     const struct hobe_kernel *kernel;
     int elements; /* of the beam that has most; others in the proportions of the scene */
     int linear;   /* the linear response */
+    int paper;    /* the paper's points of integration; else as the scene says */
     double step;  /* times the step in time of the script's motions of fixed step; 0: as it is */
     enum advise_without without;
 };
 
-/* A model as a word, "MGD30w:8", "MGD30w:8:linear", "MGD30w:8:step=0.5", "MGD30w:8:no-shear":
+/* A model as a word, "MGD30w:8", "MGD30w:8:linear", "MGD30w:8:paper", "MGD30w:8:step=0.5",
+ * "MGD30w:8:no-shear":
  * text[ADVISE_WORD]; and back, HOBE_BAD_INPUT or HOBE_UNKNOWN for what is none. */
 enum { ADVISE_WORD = 120 };
 void advise_model_word(const struct advise_model *model, char *text);

@@ -10,7 +10,7 @@
 
 /* ---- models as words ------------------------------------------------------------------------- */
 
-static const char LINEAR[] = "linear", TIMES[] = "step=";
+static const char LINEAR[] = "linear", PAPER[] = "paper", TIMES[] = "step=";
 static const char *const WITHOUT[] = {
     [ADVISE_NO_SHEAR] = "no-shear", [ADVISE_NO_POISSON] = "no-poisson"};
 
@@ -19,8 +19,9 @@ void advise_model_word(const struct advise_model *model, char *text)
     char step[40] = "";
     if (model->step > 0)
         snprintf(step, sizeof step, ":%s%.17g", TIMES, model->step);
-    snprintf(text, ADVISE_WORD, "%s:%d%s%s%s%s%s", model->kernel->name, model->elements,
-             model->linear ? ":" : "", model->linear ? LINEAR : "", step, model->without ? ":" : "",
+    snprintf(text, ADVISE_WORD, "%s:%d%s%s%s%s%s%s%s", model->kernel->name, model->elements,
+             model->linear ? ":" : "", model->linear ? LINEAR : "", model->paper ? ":" : "",
+             model->paper ? PAPER : "", step, model->without ? ":" : "",
              model->without ? WITHOUT[model->without] : "");
 }
 
@@ -29,6 +30,8 @@ static int read_manner(const char *word, struct advise_model *model)
 {
     if (!strcmp(word, LINEAR))
         return model->linear = 1;
+    if (!strcmp(word, PAPER))
+        return model->paper = 1;
     if (!strncmp(word, TIMES, strlen(TIMES))) {
         char *end;
         model->step = strtod(word + strlen(TIMES), &end);
@@ -60,11 +63,10 @@ enum hobe_status advise_read_model(const char *text, struct advise_model *model,
         good = read_manner(word, model);
     if (good)
         return HOBE_OK;
-    return hobe_fail(
-        err, HOBE_BAD_INPUT, NULL,
-        "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :step=FACTOR, "
-        ":no-shear or :no-poisson, such as MGD30w:8, got \"%.100s\"",
-        most, text);
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :paper, "
+                     ":step=FACTOR, :no-shear or :no-poisson, such as MGD30w:8, got \"%.100s\"",
+                     most, text);
 }
 
 /* ---- evidence -------------------------------------------------------------------------------- */

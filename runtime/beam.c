@@ -2,7 +2,9 @@
 #include "beam.h"
 
 #include "kernel_vectors.h"
+#include "material.h"
 #include "section.h"
+#include "smaller.h"
 #include "vector3.h"
 
 #include <string.h>
@@ -165,6 +167,12 @@ static enum hobe_status number_laws(struct beam *beam, struct hobe_error *err)
     return HOBE_OK;
 }
 
+/* What is left of an element keeps its law. */
+static enum hobe_mechanics own_mechanics(const struct hobe_beam *spec)
+{
+    return spec->mechanics ? spec->mechanics : hobe_mechanics_find(spec->kernel->mechanics);
+}
+
 static enum hobe_status make_laws(struct beam *beam, struct hobe_error *err)
 {
     const struct hobe_beam *s = &beam->spec;
@@ -173,11 +181,11 @@ static enum hobe_status make_laws(struct beam *beam, struct hobe_error *err)
         if (beam->law[law])
             continue;
         beam->law[law] = hobe_element_new(
-            &(struct hobe_element_options){.kernel = s->kernel,
+            &(struct hobe_element_options){.kernel = beam->kernel,
                                            .section = s->section,
                                            .material = s->material,
                                            .length = beam->length / s->elements,
-                                           .mechanics = s->mechanics,
+                                           .mechanics = own_mechanics(s),
                                            .integration = s->integration,
                                            .from = (double)e / s->elements,
                                            .to = (e + 1.0) / s->elements,
@@ -189,9 +197,8 @@ static enum hobe_status make_laws(struct beam *beam, struct hobe_error *err)
     return HOBE_OK;
 }
 
-static enum hobe_status set_laws(struct beam *beam,
-                                 const struct beam *(*lend)(void *, const struct beam *),
-                                 void *context, struct hobe_error *err)
+static enum hobe_status set_laws(struct beam *beam, const struct beam *lender,
+                                 struct hobe_error *err)
 {
     const enum hobe_status status = number_laws(beam, err);
     if (status)
@@ -199,13 +206,11 @@ static enum hobe_status set_laws(struct beam *beam,
     beam->law = hobe_alloc((size_t)beam->laws, sizeof(hobe_element *), err);
     if (!beam->law)
         return HOBE_NO_MEMORY;
-    const struct beam *lender = beam->law_of ? NULL : lend(context, beam);
-    if (lender) {
-        beam->law[0] = lender->law[0];
-        beam->borrowed = 1;
-        return HOBE_OK;
-    }
-    return make_laws(beam, err);
+    if (!lender)
+        return make_laws(beam, err);
+    beam->law[0] = lender->law[0];
+    beam->borrowed = 1;
+    return HOBE_OK;
 }
 
 static enum hobe_status set_references(struct beam *beam, struct hobe_error *err)
@@ -266,6 +271,45 @@ static enum hobe_status set_batches(struct beam *beam, struct hobe_error *err)
     return HOBE_OK;
 }
 
+/* References and laws of the beam's kernel. */
+static enum hobe_status set_elements(struct beam *beam, const struct beam *lender,
+                                     struct hobe_error *err)
+{
+    beam->step = hobe_kernel_step(beam->kernel);
+    const enum hobe_status status = set_references(beam, err);
+    return status ? status : set_laws(beam, lender, err);
+}
+
+static void free_elements(struct beam *beam)
+{
+    for (int i = 0; beam->law && !beam->borrowed && i < beam->laws; i++)
+        hobe_element_free(beam->law[i]);
+    hobe_free(beam->law);
+    hobe_free(beam->law_of);
+    hobe_free(beam->origin);
+    hobe_free(beam->q0);
+}
+
+/* Once the elements say which modes the section drops, they are made again without those. */
+static enum hobe_status leave_out(struct beam *beam, struct hobe_error *err)
+{
+    for (int i = 0; i < beam->laws; i++)
+        for (int m = 0; m < beam->kernel->modes; m++)
+            beam->dropped[m] |= hobe_element_dropped(beam->law[i])[m];
+    const struct hobe_kernel *left = kernel_left(&beam->spec, beam->length, beam->dropped, err);
+    if (!left)
+        return at_beam(beam, err ? err->status : HOBE_BAD_INPUT, err);
+    if (left == beam->kernel)
+        return HOBE_OK;
+    free_elements(beam);
+    beam->law = NULL;
+    beam->law_of = NULL;
+    beam->origin = NULL;
+    beam->q0 = NULL;
+    beam->kernel = left;
+    return set_elements(beam, NULL, err);
+}
+
 enum hobe_status beam_open(struct beam *beam,
                            const struct beam *(*lend)(void *, const struct beam *), void *context,
                            struct hobe_error *err)
@@ -278,25 +322,24 @@ enum hobe_status beam_open(struct beam *beam,
     const struct hobe_material *own = hobe_section_material(beam->spec.section, 0);
     if (own)
         beam->spec.material = *own; /* what is asked of a beam's material is asked of the first */
-    beam->kernel = beam->spec.kernel;
-    beam->step = hobe_kernel_step(beam->kernel);
     enum hobe_status status = beam->spec.curve ? curved_axis(beam, err) : straight_axis(beam, err);
-    if (!status)
-        status = set_references(beam, err);
-    if (!status)
-        status = set_laws(beam, lend, context, err);
+    if (status)
+        return status;
+    const int alike = !beam->spec.curve && !hobe_section_varies(beam->spec.section);
+    const struct beam *lender = alike ? lend(context, beam) : NULL;
+    beam->kernel = lender ? lender->kernel : beam->spec.kernel;
+    if (lender)
+        memcpy(beam->dropped, lender->dropped, sizeof beam->dropped);
+    status = set_elements(beam, lender, err);
+    if (!status && !lender)
+        status = leave_out(beam, err);
     return status ? status : set_batches(beam, err);
 }
 
 void beam_free(struct beam *beam)
 {
-    for (int i = 0; beam->law && !beam->borrowed && i < beam->laws; i++)
-        hobe_element_free(beam->law[i]);
-    hobe_free(beam->law);
-    hobe_free(beam->law_of);
-    hobe_free(beam->origin);
+    free_elements(beam);
     hobe_free(beam->name);
-    hobe_free(beam->q0);
     hobe_free(beam->q0_lanes);
     hobe_free(beam->batch);
     for (int layout = 0; layout < LAYOUTS; layout++)

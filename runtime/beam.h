@@ -21,7 +21,10 @@ enum layout { FRONTS, COLUMNS, TOUCHED, LAYOUTS };
 struct beam {
     struct hobe_beam spec;
     char *name;
+    /* What is left of the spec's where the section drops modes; and which, of those of the spec's.
+     */
     const struct hobe_kernel *kernel;
+    unsigned char dropped[HOBE_MAX_MODES];
     double length;             /* of the axis, m */
     double end[2][3];          /* first and last point of the axis, m */
     double end_frame[2][3][3]; /* the section's axes e_x, e_y, e_z there, rows */

@@ -3,6 +3,7 @@
 
 #include "constraint.h"
 #include "eigen.h"
+#include "pattern.h"
 #include "reduction.h"
 #include "vector3.h"
 
@@ -316,11 +317,8 @@ void body_tangent_add(const struct hobe_model *model, const struct body *body, i
                       const double block[3][3], const struct matrix *K)
 {
     const struct tie *tie = model_tie(model, body->tie);
-    const long place = tie->place[K->layout][v * tie->vectors + w];
-    const int stride = model->stride[K->layout][model->unknown[body->first + w]];
-    for (int c = 0; place >= 0 && c < 3; c++)
-        for (int a = 0; a < 3; a++)
-            K->value[place + c * stride + a] += block[a][c];
+    pattern_add_block(model, tie->place[K->layout][v * tie->vectors + w], body->first + w, block,
+                      K);
 }
 
 void body_mass_force(const struct body *body, const double A[3][3], const double *a, double *f)

@@ -140,6 +140,13 @@ void tie_add_side(const struct tie *tie, int side, double factor, const double G
 void tie_add_tangent(const struct hobe_model *model, const struct tie *tie,
                      double H[TIE_VECTORS][TIE_VECTORS][3][3], const struct matrix *K);
 
+/* Where K has scalar (a, b) of the block of a tie's entries i and j; NULL: it is held.  And K +=
+ * amount there. */
+double *tie_scalar(const struct hobe_model *model, const struct tie *tie, int i, int a, int j,
+                   int b, const struct matrix *K);
+void tie_add_at(const struct hobe_model *model, const struct tie *tie, int i, int a, int j, int b,
+                double amount, const struct matrix *K);
+
 /* f += d(lambda . Phi)/dq and Phi on the multipliers; K += its derivative unless NULL. */
 void constraint_add(const struct hobe_model *model, const double *u, const struct instant *instant,
                     double *f, const struct matrix *K);

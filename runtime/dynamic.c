@@ -152,6 +152,7 @@ static enum hobe_status take_start(struct run *run, const hobe_solution *from,
                          "scene");
     memcpy(now->u, solution_field(from, model, SOLUTION_U), size);
     now->time = from->info.time;
+    run->g.s.info.negative = from->info.negative;
     if (!from->v)
         return set_motions(&run->g, err);
     memcpy(now->v, solution_field(from, model, SOLUTION_V), size);
@@ -247,7 +248,9 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
         return fail_broken(g, rate, speed == 0 ? JUMP : BROKEN, err);
     }
     account_begin(&run->account, g);
-    return history_keep(run->history, g, &run->account, run->started, err);
+    status = history_keep(run->history, g, &run->account, run->started, err);
+    g->s.info.negative = -1; /* counted of equilibria alone */
+    return status;
 }
 
 /* ---- steps ---------------------------------------------------------------------------------- */

@@ -152,7 +152,6 @@ static hobe_solution *new_state(struct genalpha *g, double started, struct hobe_
 {
     struct hobe_solution_info info = g->s.info;
     info.load = 1;
-    info.negative = -1;
     info.time = g->now.time;
     info.seconds = hobe_seconds() - started;
     if (solution_smallest_volume(g->s.model, g->now.u, &info.smallest_volume, err))
@@ -203,19 +202,11 @@ enum hobe_status history_keep(hobe_history *history, struct genalpha *g, struct 
 
 /* ---- what is given -------------------------------------------------------------------------- */
 
-static hobe_solution **state(const hobe_history *history, int i)
-{
-    return i >= 0 && (size_t)i < history->states.count ? (hobe_solution **)history->states.item + i
-                                                       : NULL;
-}
-
 void hobe_history_free(hobe_history *history)
 {
     if (!history)
         return;
-    for (int i = 0; state(history, i); i++)
-        hobe_solution_free(*state(history, i));
-    hobe_free(history->states.item);
+    solutions_free(&history->states);
     hobe_free(history->energies.item);
     hobe_free(history);
 }
@@ -227,15 +218,12 @@ void hobe_history_info(const hobe_history *history, struct hobe_history_info *in
 
 const hobe_solution *hobe_history_state(const hobe_history *history, int i)
 {
-    return state(history, i) ? *state(history, i) : NULL;
+    return solutions_get(&history->states, i);
 }
 
 hobe_solution *hobe_history_take(hobe_history *history, int i)
 {
-    hobe_solution **at = state(history, i), *taken = at ? *at : NULL;
-    if (at)
-        *at = NULL;
-    return taken;
+    return solutions_take(&history->states, i);
 }
 
 const struct hobe_energies *hobe_history_energies(const hobe_history *history, int i)

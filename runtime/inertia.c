@@ -26,41 +26,32 @@ long inertia_multipliers(const struct hobe_model *model, long *spare)
     return multipliers - (r ? r->drops : 0);
 }
 
-/* Where the tangent has scalar (a, c) of the block of a tie's entries (i, j); NULL: held. */
-static double *find(const struct hobe_model *model, const struct tie *tie, int i, int j, int a,
-                    int c, double *Ax)
-{
-    const long place = tie->place[COLUMNS][i * tie->vectors + j];
-    return place < 0 ? NULL
-                     : Ax + place + c * model->stride[COLUMNS][model->unknown[tie->vector[j]]] + a;
-}
-
 /* Takes constraint k of a tie out of the tangent: its row goes to G[n] and, scaled, G'G is added to
  * the vectors it ties. */
 static void detach(const struct hobe_model *model, const struct tie *tie, int k,
-                   const double *scale, double *Ax, double *G)
+                   const double *scale, const struct matrix *K, double *G)
 {
     const int last = tie_entry(tie, k), m = k % 3, tied = tie->vectors - tie->blocks;
     const long *unknown = model->unknown;
     const double D = scale[3 * unknown[tie->vector[last]] + m];
     for (int i = 0; i < tied; i++)
         for (int a = 0; a < 3; a++) {
-            double *at = find(model, tie, last, i, m, a, Ax);
+            double *at = tie_scalar(model, tie, last, m, i, a, K);
             if (!at)
                 continue;
             G[3 * unknown[tie->vector[i]] + a] = *at;
-            *at = *find(model, tie, i, last, a, m, Ax) = 0;
+            *at = *tie_scalar(model, tie, i, a, last, m, K) = 0;
         }
     for (int i = 0; i < tied; i++)
         for (int j = 0; j < tied; j++)
             for (int a = 0; a < 3; a++)
                 for (int c = 0; c < 3; c++) {
-                    double *at = find(model, tie, i, j, a, c, Ax);
+                    double *at = tie_scalar(model, tie, i, a, j, c, K);
                     if (at)
                         *at += D * G[3 * unknown[tie->vector[i]] + a] * D *
                                G[3 * unknown[tie->vector[j]] + c];
                 }
-    *find(model, tie, last, last, m, m, Ax) = 1 / (D * D);
+    *tie_scalar(model, tie, last, m, last, m, K) = 1 / (D * D);
 }
 
 /* S = G A^-1 G' with the last factors of A, G[m][n], and how many of its eigenvalues are positive.
@@ -97,6 +88,7 @@ static enum hobe_status count_positive(struct hobe_model *model, long m, const d
 enum hobe_status inertia_behind_ties(struct hobe_model *model, double *Ax, const double *scale,
                                      long *negative, struct hobe_error *err)
 {
+    const struct matrix K = {COLUMNS, Ax};
     const long n = 3 * model->unknowns;
     long rows = 0, column, positive = 0, spare;
     const long all = inertia_multipliers(model, &spare);
@@ -109,7 +101,7 @@ enum hobe_status inertia_behind_ties(struct hobe_model *model, double *Ax, const
     for (size_t i = 0; i < model->ties.count; i++) {
         const struct tie *tie = model_tie(model, i);
         for (int k = 0; k < tie->constraints && !model->held[tie->multiplier]; k++)
-            detach(model, tie, k, scale, Ax, G + n * rows++);
+            detach(model, tie, k, scale, &K, G + n * rows++);
     }
     enum hobe_status status = hobe_linsolve_factor(model->solver, Ax, scale, &column, err);
     const long signs = status ? -1 : hobe_linsolve_negative(model->solver);

@@ -17,7 +17,11 @@ static const double AIM = 0.45, LONGER = 2;
 static const double FIRST = 0.25, TOLERANCE = 1e-3;
 enum { ITERATIONS = 8 };
 
-/* A step this small, of the load reached or of the whole load, is none. */
+/* A step this small, of the load reached, may cross a bifurcation, where pivots change their sign.
+ */
+static const double CROSSING = 1e-3;
+
+/* One this small, of the load reached or of the whole load, is none. */
 static const double NO_STEP = 1e-6, LEAST_STEP = 1e-12;
 
 enum hobe_status jump_open(struct solver *s, struct hobe_error *err)
@@ -72,7 +76,10 @@ void jump_watch(struct solver *s)
         watch_energy(s);
     if (s->factored == FRONTS)
         solver_negative(s, &negative, &err);
-    s->jump.suspected |= negative != 0 || s->factored != s->K.layout;
+    if (s->now.iteration == 0)
+        s->jump.negative = negative;
+    const int changed = negative != s->jump.negative || s->factored != s->K.layout;
+    s->jump.suspected = changed || (s->jump.suspected && !s->jump.verifying);
 }
 
 /* ---- verification ---------------------------------------------------------------------------- */
@@ -107,11 +114,14 @@ static enum outcome follow(struct solver *s, double step, double to, double *rea
         const double left = to - *reached, next = step < left ? *reached + step : to;
         s->options.tolerance = fmax(tolerance, TOLERANCE * fmin(step, left));
         memcpy(s->u, s->start, size);
+        s->jump.suspected = 0;
         const enum outcome outcome = solver_iterate(s, next, 0, err);
         s->options.tolerance = tolerance;
-        const double share = outcome == CONVERGED ? disproportion(s) : INFINITY;
+        double share = outcome == CONVERGED ? disproportion(s) : INFINITY;
         if (outcome == ERROR)
             return ERROR;
+        if (s->jump.suspected && step > CROSSING * *reached)
+            share = fmax(share, 1);
         if (share <= PROPORTION) {
             memcpy(s->start, s->u, size);
             *reached = next;

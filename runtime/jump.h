@@ -25,6 +25,7 @@ struct jump {
     double *first;  /* [unknowns] the first correction of the last step */
     double work[2]; /* of the residual along it, before it and half-way, J */
     double turn;    /* the share of the load of the step at which the path would turn by a */
+    long negative;  /* eigenvalues of the tangent at the start of the step */
     int suspected;  /* since that was cleared */
     int verifying;
 };

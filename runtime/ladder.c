@@ -2,6 +2,7 @@
 /* Climbs a ladder: runs its models in turn, and says how wrong and how dear each is. */
 #include "ladder.h"
 
+#include "advise.h"
 #include "model.h"
 
 #include <math.h>
@@ -16,6 +17,9 @@ static const double LONG_ENOUGH = 10;
 
 /* Meshes of the converged run, as multiples of the finest rung's. */
 static const int CONVERGED_COARSE = 2, CONVERGED_FINE = 4;
+
+/* Share of the largest truth of its unit that errors of a quantity are relative to at least. */
+static const double SMALL = 0.01;
 
 /* ---- quantities ----------------------------------------------------------------------------- */
 
@@ -32,7 +36,7 @@ static enum hobe_status add_quantity(struct ladder *ladder, const char *name, do
                                      struct hobe_error *err)
 {
     struct ladder_quantity *quantity = &ladder->quantity[ladder->quantities++];
-    *quantity = (struct ladder_quantity){ladder_copy(name, err), NULL, truth, NAN};
+    *quantity = (struct ladder_quantity){ladder_copy(name, err), NULL, truth, NAN, NAN, 0, 0};
     return quantity->name ? HOBE_OK : HOBE_NO_MEMORY;
 }
 
@@ -69,9 +73,13 @@ static enum hobe_status read_values(struct ladder *ladder, const struct ladder_r
             hobe_text_add(why, "it reports no number for %s", quantity->name);
             return hobe_text_check(why, err);
         }
-        if (quantity->unit)
+        if (quantity->unit) {
+            if (ladder_number(line->word[4]) != quantity->expect)
+                quantity->expect = NAN; /* it is of a model, and not the truth */
             continue;
+        }
         quantity->expect = ladder_number(line->word[4]);
+        quantity->within = line->words > 5 ? ladder_number(line->word[5]) : NAN;
         if (!(quantity->unit = ladder_copy(line->word[2], err)))
             return HOBE_NO_MEMORY;
     }
@@ -174,13 +182,14 @@ static enum hobe_status run_rounds(const struct ladder_options *options, struct 
     const double start = hobe_seconds();
     enum hobe_status status = HOBE_OK;
     for (int round = 0; !status && round < LADDER_ROUNDS; round++) {
-        char what[40];
+        char what[80];
         if (round >= FEWEST_ROUNDS && (options->quick || hobe_seconds() - start > LONG_ENOUGH))
             break;
-        snprintf(what, sizeof what, "round %d:", round + 1);
-        for (int i = 0; !status && i < ladder->rungs; i++)
+        for (int i = 0; !status && i < ladder->rungs; i++) {
+            snprintf(what, sizeof what, "round %d, %d of %d:", round + 1, i + 1, ladder->rungs);
             if (!ladder->rung[i].why)
                 status = run_rung(options, ladder, &ladder->rung[i], what, err);
+        }
         status = status ? status : check_rungs(ladder, err);
     }
     return status;
@@ -188,22 +197,66 @@ static enum hobe_status run_rounds(const struct ladder_options *options, struct 
 
 /* ---- the truth ------------------------------------------------------------------------------ */
 
-/* |x - truth|, relative where the truth is not 0 */
-static double difference(double x, double truth)
+double ladder_scale(const struct ladder *ladder, int q)
 {
-    return truth != 0 ? fabs(x - truth) / fabs(truth) : fabs(x);
+    const struct ladder_quantity *of = &ladder->quantity[q];
+    double most = 0;
+    for (int i = 0; i < ladder->quantities; i++)
+        if (!strcmp(ladder->quantity[i].unit, of->unit))
+            most = fmax(most, fabs(ladder->quantity[i].truth));
+    return most > 0 ? fmax(fabs(of->truth), SMALL * most) : 1;
+}
+
+/* Whether a converged run of an element would fail, or take too long, as its finest rung does. */
+static int is_dear(const struct ladder *ladder, const char *element)
+{
+    char model[ADVISE_WORD];
+    snprintf(model, sizeof model, "--model=%s:%.0f", element, ladder_most(ladder));
+    for (int i = 0; i < ladder->rungs; i++) {
+        const struct ladder_rung *rung = &ladder->rung[i];
+        if (!strcmp(rung->model, model))
+            return rung->why || CONVERGED_FINE * rung->sample[LADDER_TOTAL][0] > LONG_ENOUGH;
+    }
+    return 0;
+}
+
+/* The elements that may stand for the truth, in turn: the case's, by its own words (NULL), or the
+ * one that has most modes of the section, or fewer where that does not run or takes too long:
+ * element[ADVISE_LEVELS], their number. */
+static int list_elements(const struct ladder_record *record, const struct ladder *ladder,
+                         const char **element)
+{
+    const struct hobe_kernel *level[ADVISE_LEVELS];
+    const struct ladder_line *line;
+    element[0] = NULL;
+    if (!ladder->by_model)
+        return 1;
+    for (int i = 0; (line = ladder_find(record, "reference", 3, i)); i++)
+        if (!strcmp(line->word[1], "element")) {
+            element[0] = line->word[2];
+            return 1;
+        }
+    int count = 0;
+    for (int i = advise_levels(level) - 1; i >= 0; i--)
+        if (i == 0 || !is_dear(ladder, level[i]->name))
+            element[count++] = level[i]->name;
+    return count;
 }
 
 /* Says the reference model: the case's words for it, with so many elements. */
-static void say_reference(const struct ladder_record *record, double elements,
+static void say_reference(const struct ladder_record *record, const char *element, double elements,
                           struct hobe_text *words)
 {
     const struct ladder_line *line;
     for (int i = 0; (line = ladder_find(record, "reference", 3, i)); i++)
-        if (strcmp(line->word[1], "elements"))
+        if (strcmp(line->word[1], "elements") && (!element || strcmp(line->word[1], "element")))
             hobe_text_add(words, "%s%s=%s", words->size > 0 ? " " : "", line->word[1],
                           line->word[2]);
-    hobe_text_add(words, "%selements=%.0f", words->size > 0 ? " " : "", elements);
+    hobe_text_add(words, "%s", words->size > 0 ? " " : "");
+    if (element)
+        hobe_text_add(words, "--model=%s:%.0f", element, elements);
+    else
+        hobe_text_add(words, "elements=%.0f", elements);
 }
 
 /* The meshes of the two converged runs: that which the case names, and twice it. */
@@ -211,7 +264,7 @@ static int choose_meshes(const struct ladder_record *record, const struct ladder
                          double *elements)
 {
     const struct ladder_line *line;
-    const double most = ladder_most(ladder, "elements");
+    const double most = ladder_most(ladder);
     elements[0] = CONVERGED_COARSE * most;
     elements[1] = CONVERGED_FINE * most;
     for (int i = 0; (line = ladder_find(record, "reference", 3, i)); i++)
@@ -222,29 +275,53 @@ static int choose_meshes(const struct ladder_record *record, const struct ladder
     return elements[0] >= 1;
 }
 
-/* Runs the k-th of the two models that stand for the truth: value[quantities]. */
+/* Runs the k-th of the two models that stand for the truth: value[quantities], or a sentence where
+ * it fails. */
 static enum hobe_status run_reference(const struct ladder_options *options,
-                                      const struct ladder_record *record, double elements, int k,
-                                      struct ladder *ladder, double *value, struct hobe_error *err)
+                                      const struct ladder_record *record, const char *element,
+                                      double elements, int k, struct ladder *ladder, double *value,
+                                      struct hobe_text *why, struct hobe_error *err)
 {
     struct ladder_record run_record;
-    struct hobe_text words = {0}, why = {0};
+    struct hobe_text words = {0};
     double seconds;
-    say_reference(record, elements, &words);
+    say_reference(record, element, elements, &words);
     enum hobe_status status = hobe_text_check(&words, err);
+    hobe_free(ladder->reference.model[k]);
     ladder->reference.model[k] = status ? NULL : ladder_copy(words.at, err);
     hobe_text_free(&words);
     if (!ladder->reference.model[k])
         return HOBE_NO_MEMORY;
-    status = run(options, ladder, "reference:", ladder->reference.model[k], &run_record, &why,
+    status = run(options, ladder, "reference:", ladder->reference.model[k], &run_record, why,
                  &seconds, err);
-    if (!status && why.size == 0)
-        status = read_values(ladder, &run_record, value, &why, err);
-    if (!status && why.size > 0)
-        status = hobe_fail(err, HOBE_BAD_INPUT, NULL, "the reference, %s, fails: %s",
-                           ladder->reference.model[k], why.at ? why.at : "");
+    if (!status && why->size == 0)
+        status = read_values(ladder, &run_record, value, why, err);
     ladder_record_free(&run_record);
-    hobe_text_free(&why);
+    return status;
+}
+
+/* Runs both, by the first element for which they run: value[2][quantities]. */
+static enum hobe_status run_references(const struct ladder_options *options,
+                                       const struct ladder_record *record, const double *elements,
+                                       struct ladder *ladder, double *value, struct hobe_error *err)
+{
+    const char *element[ADVISE_LEVELS];
+    const int count = list_elements(record, ladder, element);
+    enum hobe_status status = HOBE_OK;
+    for (int i = 0; !status && i < count; i++) {
+        struct hobe_text why = {0};
+        int k = 0;
+        for (; !status && k < 2 && why.size == 0; k++)
+            status = run_reference(options, record, element[i], elements[k], k, ladder,
+                                   value + (size_t)(k * ladder->quantities), &why, err);
+        const int done = why.size == 0;
+        if (!status && !done && i + 1 == count)
+            status = hobe_fail(err, HOBE_BAD_INPUT, NULL, "the reference, %s, fails: %s",
+                               ladder->reference.model[k - 1], why.at ? why.at : "");
+        hobe_text_free(&why);
+        if (done)
+            break;
+    }
     return status;
 }
 
@@ -254,26 +331,42 @@ static enum hobe_status converge(const struct ladder_options *options,
                                  struct hobe_error *err)
 {
     const size_t n = (size_t)ladder->quantities;
-    double elements[2], *value;
+    double elements[2];
     if (!choose_meshes(record, ladder, elements))
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "the truth is not known, and there is no parameter elements along which a "
                          "run would converge; hobe.chart takes truth = {name = value}");
-    value = hobe_alloc(2 * n, sizeof *value, err);
-    enum hobe_status status = value ? HOBE_OK : HOBE_NO_MEMORY;
-    for (int k = 0; !status && k < 2; k++)
-        status = run_reference(options, record, elements[k], k, ladder, value + (size_t)k * n, err);
-    for (int q = 0; !status && q < ladder->quantities; q++) {
+    double *value = hobe_alloc(2 * n, sizeof *value, err);
+    enum hobe_status status =
+        value ? run_references(options, record, elements, ladder, value, err) : HOBE_NO_MEMORY;
+    for (size_t q = 0; !status && q < n; q++) {
         struct ladder_quantity *quantity = &ladder->quantity[q];
-        if (!isnan(quantity->truth))
-            continue;
-        quantity->truth = value[n + (size_t)q];
-        ladder->reference.apart =
-            fmax(ladder->reference.apart, difference(value[q], quantity->truth));
+        quantity->open = isnan(quantity->truth) ? fabs(value[n + q] - value[q]) : 0;
+        quantity->truth = isnan(quantity->truth) ? value[n + q] : quantity->truth;
     }
-    ladder->doubt = fmax(ladder->doubt, ladder->reference.apart);
     hobe_free(value);
+    for (int q = 0; !status && q < ladder->quantities; q++)
+        ladder->reference.apart =
+            fmax(ladder->reference.apart, ladder->quantity[q].open / ladder_scale(ladder, q));
+    ladder->doubt = fmax(ladder->doubt, ladder->reference.apart);
     return status;
+}
+
+/* Takes what the case expects for the truth where nothing else is given, and what it calls right
+ * for how far that is known, unless it says; whether all are known. */
+static int take_expected(struct ladder *ladder)
+{
+    int known = 1, doubted = ladder->doubt > 0;
+    for (int q = 0; q < ladder->quantities; q++) {
+        struct ladder_quantity *quantity = &ladder->quantity[q];
+        if (isnan(quantity->truth) && ladder->common.size == 0 && !isnan(quantity->expect)) {
+            quantity->truth = quantity->expect;
+            if (!doubted && quantity->within > 0)
+                quantity->doubt = quantity->within;
+        }
+        known = known && !isnan(quantity->truth);
+    }
+    return known;
 }
 
 /* The truth that is not given: what the case expects, else what a converged run finds. */
@@ -282,15 +375,8 @@ static enum hobe_status find_truth(const struct ladder_options *options,
                                    struct hobe_error *err)
 {
     const struct ladder_line *doubt = ladder_find(record, "doubt", 2, 0);
-    int unknown = 0;
     ladder->doubt = doubt ? ladder_number(doubt->word[1]) : 0;
-    for (int q = 0; q < ladder->quantities; q++) {
-        struct ladder_quantity *quantity = &ladder->quantity[q];
-        if (isnan(quantity->truth) && ladder->common.size == 0)
-            quantity->truth = quantity->expect;
-        unknown += isnan(quantity->truth);
-    }
-    return unknown > 0 ? converge(options, record, ladder, err) : HOBE_OK;
+    return take_expected(ladder) ? HOBE_OK : converge(options, record, ladder, err);
 }
 
 /* ---- errors, cost and the front ------------------------------------------------------------- */
@@ -301,8 +387,10 @@ static void weigh(const struct ladder *ladder, struct ladder_rung *rung)
         rung->time[t] =
             bench_time(&(struct bench_work){.rounds = rung->rounds, .sample = rung->sample[t]});
     for (int q = 0; q < ladder->quantities; q++) {
-        rung->error[q] = difference(rung->value[q], ladder->quantity[q].truth);
+        rung->error[q] = fabs(rung->value[q] - ladder->quantity[q].truth) / ladder_scale(ladder, q);
         rung->worst = fmax(rung->worst, rung->error[q]);
+        rung->excess =
+            fmax(rung->excess, rung->error[q] - fmax(ladder->doubt, ladder->quantity[q].doubt));
     }
 }
 
@@ -321,9 +409,8 @@ static void draw_front(struct ladder *ladder)
 {
     double best = INFINITY;
     for (int i = 0; i < ladder->rungs && !ladder->rung[i].why; i++) {
-        const double error = fmax(ladder->rung[i].worst, ladder->doubt);
-        ladder->rung[i].front = error < best;
-        best = fmin(best, error);
+        ladder->rung[i].front = ladder->rung[i].excess < best;
+        best = fmin(best, ladder->rung[i].excess);
     }
 }
 

@@ -12,12 +12,17 @@
 /* ---- what a run says (ladder_record.c) ------------------------------------------------------ */
 
 /* Lines of words, apart by tabs:
- *     value NAME UNIT VALUE EXPECTED       of the report; numbers in C's %a, nan where there is
- * none cost SETUP SOLVE UNKNOWNS            s, s, and scalar unknowns of the largest scene memory
- * BYTES                         at most, above what the process began with quantity NAME TRUTH the
- * rest is what hobe.chart says reference NAME VALUE group axis NAME VALUE ...                  of
- * the group above; parameters by name end                                  or the record was cut
- * off */
+ *
+ *     value NAME UNIT VALUE EXPECTED WITHIN
+ *                                     of the report; numbers in C's %a, nan where there is none
+ *     cost SETUP SOLVE UNKNOWNS       s, s, and scalar unknowns of the largest scene
+ *     memory BYTES                    at most, above what the process began with
+ *     quantity NAME TRUTH             this and what follows is what hobe.chart says
+ *     doubt X
+ *     reference NAME VALUE
+ *     group
+ *     axis NAME VALUE ...             of the group above; parameters by name
+ *     end                             or the record was cut off */
 struct ladder_line {
     int words;
     char **word; /* [words] */
@@ -50,6 +55,9 @@ double ladder_number(const char *word);
 struct ladder_quantity {
     char *name, *unit;    /* unit: NULL before a run has told it */
     double truth, expect; /* NaN where not known */
+    double within;        /* how far from `expect` the case calls right, as hobe_value's; or NaN */
+    double doubt;         /* that, where the truth is what is expected; 0 else */
+    double open;          /* how far a converged run may be off, absolute; 0 of other truths */
 };
 
 /* A parameter and the values that it takes, in turn. */
@@ -77,10 +85,10 @@ enum {
 struct ladder_rung {
     int place;             /* in the ladder, from 0, before it is sorted */
     char *model;           /* "element=MGD30w elements=8" */
-    char *kind;            /* value of its first axis, "MGD30w": what it is drawn as */
+    char *kind;            /* its element, or the value of its first axis: what it is drawn as */
     char *why;             /* the sentence it failed with; NULL: it did not */
-    double *value, *error; /* [quantities]; errors relative, absolute where the truth is 0 */
-    double worst;          /* the largest of them */
+    double *value, *error; /* [quantities]; errors over ladder_scale */
+    double worst, excess;  /* the largest of them; of what they are above the doubt of the truth */
     int rounds;
     double sample[LADDER_TIMES][LADDER_ROUNDS]; /* [.][rounds] s */
     struct bench_time time[LADDER_TIMES];
@@ -99,11 +107,13 @@ struct ladder_reference {
 
 struct ladder {
     int quantities, rungs, groups;
+    int by_model; /* rungs change element and mesh of all scenes, "--model=MGD30w:8", whatever the
+                     parameters of the case */
     struct ladder_quantity *quantity;
     struct ladder_group *group;
     struct ladder_rung *rung; /* in the order of their cost, failures last, once climbed */
     struct ladder_reference reference;
-    double doubt;            /* of the truth, relative: errors below it say nothing */
+    double doubt;            /* of all truths, relative: errors below it say nothing */
     struct hobe_text common; /* " P=10": words that all runs share, each after a blank */
 };
 
@@ -118,7 +128,8 @@ typedef enum hobe_status ladder_run(void *context, const char *words, int ask,
 struct ladder_options {
     /* From the command line.  Axes take the place of the case's own of the same name, or join them;
      * one of a single value that the case's ladder does not have is common to all runs, and what is
-     * expected of the case then no longer counts as true. */
+     * expected of the case then no longer counts as true.  One of the name "--model" takes the
+     * place of the whole ladder. */
     int given;
     const struct ladder_axis *axis; /* [given] */
     int quick;                      /* every other value of long axes of numbers, three rounds */
@@ -133,12 +144,21 @@ enum hobe_status ladder_climb(const struct ladder_options *options, struct ladde
                               struct hobe_error *err);
 void ladder_free(struct ladder *ladder);
 
-/* Of ladder_models.c: the groups of the case and the axes given, and the rungs that they make, none
- * twice; the value that the axis `name` has in most elements, or 0 without one; copies of texts. */
+/* What errors of the q-th quantity are relative to: its truth, or a hundredth of the largest of the
+ * same unit where that is more; 1 where all are 0. */
+double ladder_scale(const struct ladder *ladder, int q);
+
+/* Of ladder_models.c: the groups of the case, or all elements and meshes where it has none, and the
+ * axes given; the rungs that they make, none twice; the most elements that a rung has, or 0 where
+ * they do not say; copies of texts. */
 enum hobe_status ladder_make_rungs(const struct ladder_options *options,
                                    const struct ladder_record *record, struct ladder *ladder,
                                    struct hobe_error *err);
-double ladder_most(const struct ladder *ladder, const char *name);
+double ladder_most(const struct ladder *ladder);
+
+/* Axes whose values make a word of `hobe run --model` in a case that has no ladder, and that word
+ * itself; NULL at the end. */
+extern const char *const ladder_model_axis[];
 char *ladder_copy(const char *text, struct hobe_error *err);
 void ladder_free_groups(struct ladder *ladder);
 

@@ -2,6 +2,8 @@
 /* The models of a ladder: every combination of the values along its axes, group by group. */
 #include "ladder.h"
 
+#include "kernel.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,6 +30,8 @@ void ladder_free_groups(struct ladder *ladder)
         hobe_free(ladder->group[g].axis);
     }
     hobe_free(ladder->group);
+    ladder->group = NULL;
+    ladder->groups = 0;
 }
 
 /* ---- axes ----------------------------------------------------------------------------------- */
@@ -74,7 +78,7 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const struct ladder_axis *)a)->name, ((const struct ladder_axis *)b)->name);
 }
 
-/* The groups that the record says, at least one. */
+/* The groups that the record says, or one. */
 static enum hobe_status read_groups(const struct ladder_record *record, int quick,
                                     struct ladder *ladder, struct hobe_error *err)
 {
@@ -97,32 +101,108 @@ static enum hobe_status read_groups(const struct ladder_record *record, int quic
     return status;
 }
 
-double ladder_most(const struct ladder *ladder, const char *name)
+/* ---- models of any case --------------------------------------------------------------------- */
+
+enum { ELEMENT, ELEMENTS, INTEGRATION, MODEL, PARTS };
+const char *const ladder_model_axis[] = {"element", "elements", "integration", "--model", NULL};
+
+static int part_of(const char *name)
+{
+    int p = 0;
+    while (p < PARTS && strcmp(ladder_model_axis[p], name))
+        p++;
+    return p;
+}
+
+/* The ladder of a case that says none: all elements, on meshes from one of them on. */
+static enum hobe_status make_usual(int quick, struct ladder *ladder, struct hobe_error *err)
+{
+    char mesh[][3] = {"1", "2", "4", "8", "16", "32"}, exact[] = "exact";
+    enum { MESHES = sizeof mesh / sizeof *mesh };
+    char *meshes[MESHES], *integration[] = {exact};
+    const struct hobe_kernel *const *kernel = hobe_kernels();
+    int kernels = 0;
+    while (kernel[kernels])
+        kernels++;
+    char **name = hobe_alloc((size_t)kernels, sizeof *name, err);
+    if (!name)
+        return HOBE_NO_MEMORY;
+    for (int i = 0; i < kernels; i++)
+        name[i] = (char *)kernel[i]->name;
+    for (int i = 0; i < MESHES; i++)
+        meshes[i] = mesh[i];
+    struct ladder_group *group = ladder->group;
+    enum hobe_status status = set_axis(group, ladder_model_axis[ELEMENT], kernels, name, 1, err);
+    if (!status)
+        status = set_axis(group, ladder_model_axis[ELEMENTS], MESHES, meshes, quick ? 2 : 1, err);
+    if (!status)
+        status = set_axis(group, ladder_model_axis[INTEGRATION], 1, integration, 1, err);
+    hobe_free(name);
+    return status;
+}
+
+double ladder_most(const struct ladder *ladder)
 {
     double most = 0;
     for (int g = 0; g < ladder->groups; g++)
         for (int a = 0; a < ladder->group[g].axes; a++) {
             const struct ladder_axis *axis = &ladder->group[g].axis[a];
-            for (int i = 0; !strcmp(axis->name, name) && i < axis->values; i++)
-                most = fmax(most, ladder_number(axis->value[i]));
+            const int part = part_of(axis->name);
+            for (int i = 0; i < axis->values; i++) {
+                const char *colon = strchr(axis->value[i], ':');
+                if (part == ELEMENTS)
+                    most = fmax(most, ladder_number(axis->value[i]));
+                else if (part == MODEL && colon)
+                    most = fmax(most, strtod(colon + 1, NULL));
+            }
         }
     return most;
 }
 
 /* ---- rungs ---------------------------------------------------------------------------------- */
 
-/* The words of the combination with this number, counted with the last axis fastest. */
-static void say_model(const struct ladder_group *group, long number, struct hobe_text *words)
+/* The value of axis a in the combination with this number, counted with the last axis fastest. */
+static const char *choose(const struct ladder_group *group, long number, int a)
 {
-    long below = 1;
-    for (int a = 1; a < group->axes; a++)
-        below *= group->axis[a].values;
+    for (int b = group->axes - 1; b > a; b--)
+        number /= group->axis[b].values;
+    return group->axis[a].value[number % group->axis[a].values];
+}
+
+/* The words of that combination. */
+static void say_model(const struct ladder_group *group, long number, int by_model,
+                      struct hobe_text *words)
+{
+    const char *part[PARTS] = {NULL};
     for (int a = 0; a < group->axes; a++) {
-        const struct ladder_axis *axis = &group->axis[a];
-        hobe_text_add(words, "%s%s=%s", a > 0 ? " " : "", axis->name,
-                      axis->value[number / below % axis->values]);
-        below /= a + 1 < group->axes ? group->axis[a + 1].values : 1;
+        const char *name = group->axis[a].name, *value = choose(group, number, a);
+        const int p = by_model ? part_of(name) : PARTS;
+        if (p < PARTS)
+            part[p] = value;
+        else
+            hobe_text_add(words, "%s%s=%s", words->size > 0 ? " " : "", name, value);
     }
+    if (!by_model)
+        return;
+    hobe_text_add(words, "%s--model=", words->size > 0 ? " " : "");
+    if (part[MODEL])
+        hobe_text_add(words, "%s", part[MODEL]);
+    else
+        hobe_text_add(words, "%s:%s", part[ELEMENT], part[ELEMENTS]);
+    if (part[INTEGRATION] && strcmp(part[INTEGRATION], "exact"))
+        hobe_text_add(words, ":%s", part[INTEGRATION]);
+}
+
+/* What a model is drawn as, and how long that is. */
+static const char *find_kind(const char *model, size_t *size)
+{
+    static const char *const before[] = {"element=", "--model=", "="};
+    const char *found = NULL, *start = model;
+    for (int i = 0; !found && i < 3; i++)
+        if ((found = strstr(model, before[i])))
+            start = found + strlen(before[i]);
+    *size = strcspn(start, " :");
+    return start;
 }
 
 static int is_there(const struct ladder *ladder, const char *model)
@@ -137,15 +217,14 @@ static enum hobe_status add_rung(const struct ladder_group *group, long number,
                                  struct ladder *ladder, struct hobe_error *err)
 {
     struct hobe_text words = {0};
-    say_model(group, number, &words);
+    say_model(group, number, ladder->by_model, &words);
     enum hobe_status status = hobe_text_check(&words, err);
     if (!status && !is_there(ladder, words.at)) {
-        static const char element[] = "element=";
+        size_t size;
         struct ladder_rung *rung = &ladder->rung[ladder->rungs];
         rung->place = ladder->rungs++;
-        const char *found = strstr(words.at, element);
-        const char *kind = found ? found + strlen(element) : strchr(words.at, '=') + 1;
-        const size_t q = (size_t)ladder->quantities, size = strcspn(kind, " ");
+        const char *kind = find_kind(words.at, &size);
+        const size_t q = (size_t)ladder->quantities;
         rung->model = ladder_copy(words.at, err);
         rung->kind = hobe_alloc(size + 1, 1, err);
         rung->value = hobe_alloc(q, sizeof *rung->value, err);
@@ -192,7 +271,7 @@ static enum hobe_status give_axis(const struct ladder_axis *axis, struct ladder 
                                   struct hobe_error *err)
 {
     enum hobe_status status = HOBE_OK;
-    if (axis->values == 1 && !has_axis(ladder, axis->name)) {
+    if (axis->values == 1 && !has_axis(ladder, axis->name) && part_of(axis->name) != MODEL) {
         hobe_text_add(&ladder->common, " %s=%s", axis->name, axis->value[0]);
         return hobe_text_check(&ladder->common, err);
     }
@@ -201,11 +280,32 @@ static enum hobe_status give_axis(const struct ladder_axis *axis, struct ladder 
     return status;
 }
 
+/* Where models are words of --model, an axis of those takes the place of all groups, and other
+ * parts are parameters; without one a case that says no group has the usual ladder. */
+static enum hobe_status give_models(const struct ladder_options *options,
+                                    const struct ladder_record *record, struct ladder *ladder,
+                                    struct hobe_error *err)
+{
+    for (int i = 0; i < options->given; i++)
+        if (part_of(options->axis[i].name) == MODEL) {
+            ladder_free_groups(ladder);
+            ladder->by_model = ladder->groups = 1;
+            ladder->group = hobe_alloc(1, sizeof *ladder->group, err);
+            return ladder->group ? HOBE_OK : HOBE_NO_MEMORY;
+        }
+    if (ladder_find(record, "group", 1, 0))
+        return HOBE_OK;
+    ladder->by_model = 1;
+    return make_usual(options->quick, ladder, err);
+}
+
 enum hobe_status ladder_make_rungs(const struct ladder_options *options,
                                    const struct ladder_record *record, struct ladder *ladder,
                                    struct hobe_error *err)
 {
     enum hobe_status status = read_groups(record, options->quick, ladder, err);
+    if (!status)
+        status = give_models(options, record, ladder, err);
     for (int i = 0; !status && i < options->given; i++)
         status = give_axis(&options->axis[i], ladder, err);
     for (int g = 0; !status && g < ladder->groups; g++) {
@@ -216,7 +316,7 @@ enum hobe_status ladder_make_rungs(const struct ladder_options *options,
     }
     if (!status && ladder->rungs == 0)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                         "the case has no ladder: it needs hobe.chart{ladder = ...}, a parameter "
-                         "element or elements, or values given as elements=2,4,8");
+                         "the ladder of the case is empty; a group of it has values of parameters, "
+                         "{element = {\"MGD30w\"}, elements = {2, 4, 8}}");
     return status;
 }

@@ -167,6 +167,8 @@ static void add_truth(const struct ladder *ladder, struct hobe_text *text)
         const struct ladder_quantity *quantity = &ladder->quantity[q];
         hobe_text_add(text, "%s %s %.7g%s%s", q > 0 ? "," : "", quantity->name, quantity->truth,
                       *quantity->unit ? " " : "", quantity->unit);
+        if (quantity->doubt > 0)
+            hobe_text_add(text, " (to %.2g)", quantity->doubt);
     }
     if (ladder->doubt > 0)
         hobe_text_add(text, "; errors below %.2g say nothing", ladder->doubt);

@@ -69,9 +69,4 @@ enum hobe_status load_at(const struct hobe_model *model, const char *beam, doubl
  * function of the caller: such a force, or NULL. */
 const struct hobe_force *load_follower(const struct hobe_model *model);
 
-/* K += a 3 x 3 block at (v, w) of element e, where the layout of K has it.  Of symmetric matrices
- * both (v, w) and (w, v) are to be given. */
-void tangent_add(const struct hobe_model *model, const struct beam *beam, int e, int v, int w,
-                 const double block[3][3], const struct matrix *K);
-
 #endif

@@ -33,7 +33,7 @@ static const struct hobe_lua_key keys[] = {
                 "the body is round about the first"),
     {0}};
 
-const struct hobe_lua_schema hobe_lua_body_schema = {"body", keys};
+static const struct hobe_lua_schema body_schema = {"body", keys};
 
 /* The sizes that a shape has, and no other. */
 static void read_shape(lua_State *L, struct body *read)
@@ -45,10 +45,10 @@ static void read_shape(lua_State *L, struct body *read)
     static const char *const names[] = {"without a shape", "of shape cylinder", "of shape box",
                                         "of shape sphere"};
     for (int i = 0; i < 3; i++)
-        if (hobe_lua_is_given(L, &hobe_lua_body_schema, sizes[i].key) != sizes[i].of[read->shape])
+        if (hobe_lua_is_given(L, &body_schema, sizes[i].key) != sizes[i].of[read->shape])
             hobe_lua_fail(L, "body: a body %s %s %s", names[read->shape],
                           sizes[i].of[read->shape] ? "needs" : "has no", sizes[i].key);
-    if (hobe_lua_is_given(L, &hobe_lua_body_schema, "inertia") == (read->shape > 0))
+    if (hobe_lua_is_given(L, &body_schema, "inertia") == (read->shape > 0))
         hobe_lua_fail(L, read->shape > 0
                              ? "body: its shape gives the inertia; leave inertia or shape out"
                              : "body: inertia is missing: {I1, I2, I3}, kg m^2; or a shape");
@@ -81,13 +81,13 @@ static void read_inertia(lua_State *L, double inertia[3][3])
     lua_settop(L, 2);
 }
 
-int hobe_lua_body(lua_State *L)
+static int body(lua_State *L)
 {
     struct body read = {.shape = 0};
     lua_settop(L, 1);
-    hobe_lua_read(L, 1, &hobe_lua_body_schema, &read);
+    hobe_lua_read(L, 1, &body_schema, &read);
     read_shape(L, &read);
-    hobe_lua_push_key(L, 1, &hobe_lua_body_schema, "inertia");
+    hobe_lua_push_key(L, 1, &body_schema, "inertia");
     if (read.shape == 0)
         read_inertia(L, read.body.inertia);
     struct hobe_body *b = &hobe_lua_push_item(L, ITEM_BODY, &read.body, sizeof read.body)->as.body;
@@ -103,3 +103,13 @@ int hobe_lua_read_body_point(lua_State *L, int index, const char *method, double
                         point);
     return !lua_isnoneornil(L, index);
 }
+
+const struct hobe_lua_entry hobe_lua_body_entries[] = {
+    {"body", body,
+     "hobe.body{name =, mass =, centre =, inertia =, axis =, second =} or hobe.body{name =, shape "
+     "=, "
+     "..., density =, centre =}",
+     "A rigid body, in natural coordinates: its centre of mass and three directions.  Joints, "
+     "supports, forces and moments name it as they name a beam.",
+     &body_schema, NULL},
+    {0}};

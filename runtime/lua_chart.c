@@ -21,16 +21,18 @@ static const struct hobe_lua_key chart_keys[] = {
                        "is their `expect` where parameters beyond the ladder's are at their "
                        "defaults, else a converged run"),
     KEY(struct chart, doubt, KEY_NUMBER, KEY_FROM(0),
-        .doc = "uncertainty of the truth, relative: errors below it count alike"),
+        .doc = "uncertainty of the truth, relative: errors below it count alike; left out, that "
+               "of what is expected is its `within`"),
     KEY_OF_LIST("ladder",
                 .doc = "a list of tables `{parameter = {value, value, ...}, ...}`: each is a group "
                        "of models, all combinations of these values of parameters of the case.  "
-                       "Where it is left out: all elements of a parameter `element`, and 1, 2, 4, "
-                       "8, 16 and 32 of a parameter `elements`"),
+                       "Where it is left out, `hobe run --model` makes the models: all elements, "
+                       "1, 2, 4, 8, 16 and 32 of them in the beam that has most"),
     KEY_OF_LIST("reference",
                 .doc = "`{parameter = value}`: the model of the converged run, by its defaults "
                        "where left out, with two and four times the most `elements` of the ladder "
-                       "(or as many as said here, and twice that)"),
+                       "(or as many as said here, and twice that); without a ladder the element "
+                       "that has most modes of the section, as for `hobe advise`"),
     {0}};
 
 static const struct hobe_lua_schema chart_schema = {"chart", chart_keys};
@@ -152,8 +154,7 @@ static int chart(lua_State *L)
     if (reference)
         add_parameters(L, text, reference, "reference");
     const int ladder = push_table(L, "ladder");
-    const int groups = hobe_lua_context(L)->laddered =
-        ladder ? (int)hobe_lua_list_size(L, ladder, "chart: ladder") : 0;
+    const int groups = ladder ? (int)hobe_lua_list_size(L, ladder, "chart: ladder") : 0;
     for (int g = 1; g <= groups; g++) {
         if (lua_rawgeti(L, ladder, g) != LUA_TTABLE)
             hobe_lua_fail(L, "chart: ladder[%d] must be a table {parameter = {values}}, got %s", g,
@@ -173,33 +174,11 @@ const struct hobe_lua_entry hobe_lua_chart_entries[] = {
     {"chart", chart, "hobe.chart{quantities =, truth =, doubt =, ladder =, reference =}",
      "What `hobe chart CASE` makes of the case: a ladder of models, each a run of the case with "
      "other parameters (`hobe.param`), its errors in values of the report, and its cost.  `hobe "
-     "run` takes no notice.  A case without it has the ladder of its `element` and `elements`.",
+     "run` takes no notice.  A case without it has a ladder of all elements and meshes.",
      &chart_schema, NULL},
     {0}};
 
 /* ---- the record of a run -------------------------------------------------------------------- */
-
-static int has_parameter(lua_State *L, const char *name)
-{
-    hobe_lua_push_store(L, HOBE_LUA_PARAMETERS);
-    const int there = lua_getfield(L, -1, name) != LUA_TNIL;
-    lua_pop(L, 2);
-    return there;
-}
-
-/* The ladder of a case that says none: its elements and meshes. */
-static void add_usual_ladder(lua_State *L, struct hobe_text *text)
-{
-    hobe_text_add(text, "group\n");
-    if (has_parameter(L, "element")) {
-        hobe_text_add(text, "axis\telement");
-        for (int i = 0; hobe_kernels()[i]; i++)
-            hobe_text_add(text, "\t%s", hobe_kernels()[i]->name);
-        hobe_text_add(text, "\n");
-    }
-    if (has_parameter(L, "elements"))
-        hobe_text_add(text, "axis\telements\t1\t2\t4\t8\t16\t32\n");
-}
 
 void hobe_lua_add_record(lua_State *L, struct hobe_text *text, const struct hobe_value *value,
                          size_t count)
@@ -211,12 +190,11 @@ void hobe_lua_add_record(lua_State *L, struct hobe_text *text, const struct hobe
     if (context->stepped)
         hobe_text_add(text, "stepped\n");
     for (size_t i = 0; i < count; i++)
-        hobe_text_add(text, "value\t%s\t%s\t%a\t%a\n", value[i].name,
+        hobe_text_add(text, "value\t%s\t%s\t%a\t%a\t%a\n", value[i].name,
                       value[i].unit ? value[i].unit : "", value[i].value,
-                      value[i].has_expect ? value[i].expect : NAN);
+                      value[i].has_expect ? value[i].expect : NAN,
+                      value[i].has_within ? value[i].within : NAN);
     if (context->chart.at)
         hobe_text_add(text, "%s", context->chart.at);
-    if (!context->laddered)
-        add_usual_ladder(L, text);
     hobe_text_add(text, "end\n");
 }

@@ -78,9 +78,7 @@ static int finalize(lua_State *L)
 }
 
 #define INFO(key, field, type, unit, doc)                                                          \
-    {                                                                                              \
-        key, type, offsetof(struct hobe_history_info, field), unit, doc                            \
-    }
+    FIELD_AS(key, struct hobe_history_info, field, type, unit, doc)
 
 static const struct hobe_lua_field fields[] = {
     INFO("count", states, 'i', NULL, "states that were kept, the start among them"),
@@ -359,6 +357,7 @@ static int solve_dynamic(lua_State *L)
         hobe_lua_warn(L, HOBE_LUA_WARN_DAMPING,
                       "dynamic: rho above 0.9 leaves fast vibrations, and errors, to grow; "
                       "motions with joints may fail");
+    hobe_lua_warn_start(L, hobe_history_state(history->history, 0));
     warn_of_steps(L, history->history);
     return 1;
 }

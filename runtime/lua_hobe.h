@@ -28,7 +28,11 @@ extern const struct hobe_lua_entry hobe_lua_section_entries[];   /* lua_section.
 extern const struct hobe_lua_entry hobe_lua_composite_entries[]; /* lua_composite.c */
 extern const struct hobe_lua_entry hobe_lua_taper_entries[];     /* lua_taper.c */
 extern const struct hobe_lua_entry hobe_lua_section_methods[];   /* lua_taper.c */
-extern const struct hobe_lua_entry hobe_lua_item_entries[];      /* lua_item.c */
+extern const struct hobe_lua_entry hobe_lua_beam_entries[];      /* lua_beam.c */
+extern const struct hobe_lua_entry hobe_lua_body_entries[];      /* lua_body.c */
+extern const struct hobe_lua_entry hobe_lua_joint_entries[];     /* lua_joint.c */
+extern const struct hobe_lua_entry hobe_lua_spring_entries[];    /* lua_spring.c */
+extern const struct hobe_lua_entry hobe_lua_load_entries[];      /* lua_load.c */
 extern const struct hobe_lua_entry hobe_lua_drive_entries[];     /* lua_drive.c */
 extern const struct hobe_lua_entry hobe_lua_scene_entries[];     /* lua_scene.c */
 extern const struct hobe_lua_entry hobe_lua_reduce_entries[];    /* lua_reduce.c */
@@ -117,7 +121,6 @@ struct hobe_lua {
     struct hobe_text newton;          /* the log of all solves as CSV */
     struct hobe_text motion;          /* the balance of all motions as CSV */
     struct hobe_text chart;           /* what hobe.chart says, in lines of a record (ladder.h) */
-    int laddered;                     /* groups of models among them */
     int ask;                          /* that is all: hobe.chart raises the context itself as an
                                          error */
     struct {                          /* what the scenes took so far */

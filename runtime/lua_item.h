@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Items of a scene, between their constructors (lua_item.c) and the scene (lua_scene.c). */
+/* Items of a scene, between their constructors and the scene (lua_scene.c). */
 #ifndef HOBE_LUA_ITEM_H
 #define HOBE_LUA_ITEM_H
 
@@ -74,7 +74,7 @@ struct hobe_lua_scene *hobe_lua_read_scene(lua_State *L, const char *verb);
  * NULL: of none. */
 void hobe_lua_note_reduced(lua_State *L, double indicator, const hobe_solution *state);
 
-/* The keys material = {...}, fit for struct hobe_material. */
+/* The keys material = {...}, fit for struct hobe_material.  (lua_material.c, so below) */
 extern const struct hobe_lua_schema hobe_lua_material_schema;
 
 /* Makes the choice of its key k the flag average_shear.  To be called once after it was read. */
@@ -98,7 +98,7 @@ struct hobe_lua_item *hobe_lua_push_item(lua_State *L, enum hobe_lua_kind kind, 
                                          size_t size);
 
 /* Keeps the string on top of the stack alive with the item below it as user value `anchor`, and
- * returns it; the same for a copy of s. */
+ * returns it; the same for a copy of s, NULL for NULL. */
 enum { WHERE = 1, NAME, OTHER, CURVE, OWN_NAME, DRIVE, DRIVE_2, ANCHORS = DRIVE_2 };
 const char *hobe_lua_keep(lua_State *L, int anchor);
 const char *hobe_lua_keep_copy(lua_State *L, const char *s, int anchor);
@@ -106,12 +106,33 @@ const char *hobe_lua_keep_copy(lua_State *L, const char *s, int anchor);
 /* Whether the table at index 1 holds the key. */
 int hobe_lua_is_given(lua_State *L, const struct hobe_lua_schema *schema, const char *key);
 
+/* The drive that `key` of the table at index 1 gives, its integral where that is a velocity, NULL
+ * where it is left out; kept by the item on top as user value `anchor`. */
+hobe_drive *hobe_lua_keep_drive(lua_State *L, const struct hobe_lua_schema *schema, const char *key,
+                                int integral, int anchor);
+
+/* Raises unless the table at index 1 says a place: `at` of a beam or the point of a body. */
+void hobe_lua_check_place(lua_State *L, const struct hobe_lua_schema *schema);
+
+/* Reads the places of a joint or spring from the table at index 1: `at` as one number or, of two
+ * parts, two; *at_point = how many points are given, 0, 1 or 2.  Raises. */
+void hobe_lua_read_places(lua_State *L, const struct hobe_lua_schema *schema, int two, double at[2],
+                          int *at_point);
+
+/* Keys of several items: the name of a beam, a place on it, a name of its own that a support or
+ * joint may have, a function of time (hobe_lua_keep_drive). */
+#define KEY_BEAM(owner)                                                                            \
+    KEY(owner, beam, KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam")
+#define KEY_PLACE(owner)                                                                           \
+    KEY(owner, at, KEY_NUMBER, REQUIRED, KEY_WITHIN(0, 1),                                         \
+        .doc = "place on the beam, as a fraction of its length")
+#define KEY_OWN_NAME(owner, field)                                                                 \
+    KEY_AS("name", owner, field, KEY_TEXT, .doc = "its own name, for `r:reaction`")
+#define KEY_OF_TIME(key_name, measure, text)                                                       \
+    KEY_OF_OTHER(key_name, "function of time", .unit = measure, .doc = text)
+
 /* Reads a point {x, y, z} of a body, an argument of a method; 0 where it is nil.  (lua_body.c) */
 int hobe_lua_read_body_point(lua_State *L, int index, const char *method, double point[3]);
-
-/* hobe.body{...}.  (lua_body.c) */
-extern const struct hobe_lua_schema hobe_lua_body_schema;
-int hobe_lua_body(lua_State *L);
 
 /* Pushes the scene of the list of items at the absolute index, its beams as a model has them, NULL:
  * as they are.  (lua_scene.c) */
@@ -162,7 +183,7 @@ enum hobe_status hobe_lua_force_derivative(void *context, double t, const double
                                            const double v[3], double G[2][3][3],
                                            struct hobe_error *err);
 
-/* The kernel called name; raises where there is none. */
+/* The kernel called name; raises where there is none.  (lua_kernel.c) */
 const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name);
 
 #endif

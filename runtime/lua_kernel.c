@@ -22,6 +22,15 @@ static int finalize(lua_State *L)
     return 0;
 }
 
+const struct hobe_kernel *hobe_lua_find_kernel(lua_State *L, const char *name)
+{
+    struct hobe_error err;
+    const struct hobe_kernel *kernel = hobe_find_kernel(name, &err);
+    if (!kernel)
+        hobe_lua_raise(L, &err);
+    return kernel;
+}
+
 /* ---- numbers in and out --------------------------------------------------------------------- */
 
 static int push_rows(lua_State *L, const double *a, int n)
@@ -177,10 +186,7 @@ struct numbers {
     int nodes, dofs;
 };
 
-#define NUMBER(key, field, type, doc)                                                              \
-    {                                                                                              \
-        key, type, offsetof(struct numbers, field), NULL, doc                                      \
-    }
+#define NUMBER(key, field, type, doc) FIELD_AS(key, struct numbers, field, type, NULL, doc)
 
 static const struct hobe_lua_field fields[] = {
     NUMBER("nodes", nodes, 'i', "number of nodes"),

@@ -27,10 +27,7 @@ struct summary {
     struct hobe_model_info model;
 };
 
-#define FOUND(key, field, type, unit, doc)                                                         \
-    {                                                                                              \
-        key, type, offsetof(struct summary, field), unit, doc                                      \
-    }
+#define FOUND(key, field, type, unit, doc) FIELD_AS(key, struct summary, field, type, unit, doc)
 
 static const struct hobe_lua_field fields[] = {
     FOUND("count", modes.count, 'i', NULL, "modes found"),

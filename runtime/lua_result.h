@@ -19,6 +19,7 @@ void hobe_lua_note_change(lua_State *L, double change);
  * the mesh of the `last`, or NULL where there is none.  (lua_warn.c) */
 void hobe_lua_warn_equilibrium(lua_State *L, const hobe_solution *solution,
                                const hobe_model *model);
+void hobe_lua_warn_start(lua_State *L, const hobe_solution *start); /* of a motion */
 void hobe_lua_warn_path(lua_State *L, const hobe_solution *last, const hobe_model *model);
 
 #endif

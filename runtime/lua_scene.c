@@ -142,6 +142,8 @@ static enum hobe_status add_beam(hobe_model *to, const struct hobe_beam *given,
     struct hobe_beam beam = *given;
     const double share = (double)model->elements / most;
     beam.kernel = model->kernel;
+    if (model->paper)
+        beam.integration = HOBE_INTEGRATION_PAPER;
     beam.elements = (int)fmax(1, round(given->elements * share));
     if (model->without && (hobe_section_material(beam.section, 0) ||
                            !advise_leave_out(model->without, &beam.material)))

@@ -225,36 +225,24 @@ static void read_vector(lua_State *L, int index, const char *what, int n, double
     read_numbers(L, index, what, 1, n, x);
 }
 
-static const hobe_section *read_section(lua_State *L, int index, const char *what)
-{
-    hobe_section **section = luaL_testudata(L, index, HOBE_LUA_SECTION);
-    if (!section || !*section)
-        fail_type(L, index, what, "a section, such as hobe.rectangle{...}");
-    return *section;
-}
+/* Objects: userdata whose first member points to what C is given. */
+static const struct {
+    const char *type, *expected;
+} objects[] = {[KEY_SECTION] = {HOBE_LUA_SECTION, "a section, such as hobe.rectangle{...}"},
+               [KEY_RESULT] = {HOBE_LUA_RESULT, "a result of hobe.static(scene)"},
+               [KEY_MODES] = {HOBE_LUA_MODES, "a set of modes of hobe.modal(scene)"},
+               [KEY_HISTORY] = {HOBE_LUA_HISTORY, "a motion of hobe.dynamic(scene, ...)"}};
 
-static const hobe_solution *read_result(lua_State *L, int index, const char *what)
+/* Copies that pointer to *out. */
+static void read_object(lua_State *L, int index, const char *what, enum hobe_lua_type type,
+                        void *out)
 {
-    hobe_solution **solution = luaL_testudata(L, index, HOBE_LUA_RESULT);
-    if (!solution || !*solution)
-        fail_type(L, index, what, "a result of hobe.static(scene)");
-    return *solution;
-}
-
-static const hobe_modes *read_modes(lua_State *L, int index, const char *what)
-{
-    hobe_modes **modes = luaL_testudata(L, index, HOBE_LUA_MODES);
-    if (!modes || !*modes)
-        fail_type(L, index, what, "a set of modes of hobe.modal(scene)");
-    return *modes;
-}
-
-static const hobe_history *read_history(lua_State *L, int index, const char *what)
-{
-    hobe_history **history = luaL_testudata(L, index, HOBE_LUA_HISTORY);
-    if (!history || !*history)
-        fail_type(L, index, what, "a motion of hobe.dynamic(scene, ...)");
-    return *history;
+    void *object = luaL_testudata(L, index, objects[type].type), *held = NULL;
+    if (object)
+        memcpy(&held, object, sizeof held);
+    if (!held)
+        fail_type(L, index, what, objects[type].expected);
+    memcpy(out, &held, sizeof held);
 }
 
 /* Puts the value at index, which is there, into *out. */
@@ -289,16 +277,10 @@ static void read_value(lua_State *L, int index, const char *what, const struct h
         hobe_lua_read_group(L, index, what, key->group, out);
         break;
     case KEY_SECTION:
-        *(const hobe_section **)out = read_section(L, index, what);
-        break;
     case KEY_RESULT:
-        *(const hobe_solution **)out = read_result(L, index, what);
-        break;
     case KEY_MODES:
-        *(const hobe_modes **)out = read_modes(L, index, what);
-        break;
     case KEY_HISTORY:
-        *(const hobe_history **)out = read_history(L, index, what);
+        read_object(L, index, what, key->type, out);
         break;
     case KEY_LIST:
         if (!lua_istable(L, index))
@@ -324,12 +306,8 @@ static void set_fallback(const struct hobe_lua_key *key, void *out)
         memset(out, 0, 3 * sizeof(double));
     else if (key->type == KEY_PAIR)
         memset(out, 0, 2 * sizeof(double));
-    else if (key->type == KEY_RESULT)
-        *(const hobe_solution **)out = NULL;
-    else if (key->type == KEY_MODES)
-        *(const hobe_modes **)out = NULL;
-    else if (key->type == KEY_HISTORY)
-        *(const hobe_history **)out = NULL;
+    else if (key->type == KEY_RESULT || key->type == KEY_MODES || key->type == KEY_HISTORY)
+        memset(out, 0, sizeof(void *)); /* NULL */
 }
 
 void hobe_lua_read_value(lua_State *L, int index, const char *what, const struct hobe_lua_key *key,

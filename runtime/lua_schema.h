@@ -120,9 +120,10 @@ struct hobe_lua_field {
     size_t offset;
     const char *unit, *doc; /* unit may be NULL */
 };
-#define FIELD(owner, field, kind, measure, text)                                                   \
+#define FIELD(owner, field, kind, measure, text) FIELD_AS(#field, owner, field, kind, measure, text)
+#define FIELD_AS(key, owner, field, kind, measure, text)                                           \
     {                                                                                              \
-#field, kind, offsetof(owner, field), measure, text                                        \
+        key, kind, offsetof(owner, field), measure, text                                           \
     }
 
 /* Pushes the field called name of the struct at `from`.  Raises, with the nearest name, where the

@@ -38,8 +38,9 @@ static enum hobe_warning warn(lua_State *L, const hobe_solution *solution, const
     return warning;
 }
 
-/* Warns of an equilibrium that a scene free to move would leave. */
-static void warn_unstable(lua_State *L, const hobe_solution *solution)
+/* Warns of an equilibrium that a scene free to move would leave, and of what follows from that. */
+static void warn_unstable(lua_State *L, const hobe_solution *solution, const char *what,
+                          const char *so)
 {
     struct hobe_solution_info info;
     char text[300];
@@ -47,10 +48,8 @@ static void warn_unstable(lua_State *L, const hobe_solution *solution)
     if (info.negative <= 0)
         return;
     snprintf(text, sizeof text,
-             "the equilibrium is unstable: its tangent stiffness has %d negative eigenvalue%s, so "
-             "that there is a critical load below this one; look for it with hobe.buckling or "
-             "hobe.path, and disturb the scene a little to find where it goes",
-             info.negative, info.negative > 1 ? "s" : "");
+             "%s is unstable: its tangent stiffness has %d negative eigenvalue%s, so that %s", what,
+             info.negative, info.negative > 1 ? "s" : "", so);
     hobe_lua_warn(L, HOBE_LUA_WARN_UNSTABLE, text);
 }
 
@@ -95,8 +94,17 @@ void hobe_lua_warn_equilibrium(lua_State *L, const hobe_solution *solution, cons
     for (int b = 0; (beam = hobe_model_beam_name(model, b)); b++)
         warn(L, solution, beam, "", HOBE_WARNING_NONE);
     warn_mesh(L, solution, model);
-    warn_unstable(L, solution);
+    warn_unstable(L, solution, "the equilibrium",
+                  "there is a critical load below this one; look for it with hobe.buckling or "
+                  "hobe.path, and disturb the scene a little to find where it goes");
     warn_jumped(L, solution);
+}
+
+void hobe_lua_warn_start(lua_State *L, const hobe_solution *start)
+{
+    warn_unstable(L, start, "dynamic: the equilibrium at the start",
+                  "what disturbs it grows, rounding too; its modes (hobe.modal with `state`) tell "
+                  "how fast");
 }
 
 /* Warns of each beam of a model at the points of the path on top of the stack, where it gets worse.

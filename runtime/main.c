@@ -8,6 +8,7 @@
 
 #include "element.h"
 #include "points.h"
+#include "smaller.h"
 
 #include <lualib.h>
 #include <math.h>
@@ -27,11 +28,14 @@ static const char usage[] =
     "      --time-limit S               processor time that the script may spend in Lua (10)\n"
     "      --memory-limit MB            memory that the script may use in Lua (512)\n"
     "      --trust                      no sandbox, no limits: for scripts of your own\n"
-    "      --model=ELEMENT:ELEMENTS     the same element and mesh for all scenes (and :linear)\n"
+    "      --model=ELEMENT:ELEMENTS     the same element and mesh for all scenes (and :linear,\n"
+    "                                   :paper for the paper's points of integration)\n"
     "  hobe advise CASE [name=value ...] the cheapest model that holds an accuracy\n"
     "      --accuracy A                 largest relative error of a value of the report (1e-3)\n"
     "      --format table|json          how the advice is printed (table)\n"
     "  hobe chart CASE [name=value,...] run a ladder of models of a case: error against time\n"
+    "      element=A,B elements=1,2     of a case that names no ladder (all; 1,2,4,8,16,32)\n"
+    "      --model=A:1,B:2,...          these models, of any case\n"
     "      --quick                      fewer meshes, three rounds\n"
     "      --limit S                    processor time of a run (60)\n"
     "      --out DIR                    write chart.csv, chart.json and the picture to a folder\n"
@@ -114,6 +118,17 @@ static void set_context(lua_State *L, const struct run *run)
     lua_pop(L, 1);
 }
 
+/* Takes back what is given for models, which need not be a parameter of the case. */
+static void forget_models(lua_State *L)
+{
+    hobe_lua_push_store(L, HOBE_LUA_OVERRIDES);
+    for (int i = 0; ladder_model_axis[i]; i++) {
+        lua_pushnil(L);
+        lua_setfield(L, -2, ladder_model_axis[i]);
+    }
+    lua_pop(L, 1);
+}
+
 /* Runs in protected mode: argument 1 is the run; returns a sentence when the results, which are
  * out, are not as expected. */
 static int run_protected(lua_State *L)
@@ -133,11 +148,14 @@ static int run_protected(lua_State *L)
             lua_pushfstring(L, "%s: this is compiled Lua; a case must be source", run->script);
         return lua_error(L);
     }
-    if (lua_pcall(L, 0, 0, 0) && lua_touserdata(L, -1) != hobe_lua_context(L))
+    const int whole = lua_pcall(L, 0, 0, 0) == LUA_OK;
+    if (!whole && lua_touserdata(L, -1) != hobe_lua_context(L))
         return lua_error(L);
     hobe_lua_check_memory();
     hobe_lua_pause_clock(); /* for good: the rest is not the script's */
-    if (!run->ask)          /* else not all parameters may have been reached */
+    if (run->ask)
+        forget_models(L);
+    if (whole) /* else not all parameters may have been reached */
         hobe_lua_check_overrides(L);
     return hobe_lua_finish(L, run->format, run->to);
 }
@@ -371,6 +389,19 @@ static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
         explain_symmetry(text, k, s);
 }
 
+/* What it runs on where the section drops modes. */
+static void explain_within(struct hobe_text *text, const struct hobe_kernel *k)
+{
+    const char *before = "where the section drops other modes, it runs on, and costs as much as, ";
+    for (int i = 0; hobe_kernels()[i]; i++)
+        if (kernel_within(hobe_kernels()[i], k)) {
+            hobe_text_add(text, "%s%s", before, hobe_kernels()[i]->name);
+            before = " or ";
+        }
+    if (*before == ' ')
+        hobe_text_add(text, "\n");
+}
+
 static int explain_element(const char *name)
 {
     struct hobe_error err;
@@ -383,6 +414,7 @@ static int explain_element(const char *name)
     hobe_text_add(&text, "\ndefault mechanics: %s\npoints on the axis: %d\n", k->mechanics,
                   k->stations);
     explain_plans(&text, k);
+    explain_within(&text, k);
     hobe_text_add(&text, "declaration: %s\n", k->hash);
     hobe_text_add(&text, "nodal vectors, three degrees of freedom each, in order:\n");
     for (int v = 0; v < k->vectors; v++) {

@@ -275,6 +275,8 @@ static int read_argument(struct chart *chart, char **argv, int *i)
         return read_limit(value, &chart->limit);
     else if (!strcmp(argv[*i], "--quick"))
         chart->quick = 1;
+    else if (!strncmp(argv[*i], "--model=", 8))
+        return read_axis(chart, argv[*i]);
     else if (*argv[*i] == '-')
         return complain_usage("unknown option or missing value: %.100s (see hobe help)", argv[*i]);
     else if (strchr(argv[*i], '='))

@@ -10,6 +10,7 @@
 #include "joint.h"
 #include "load.h"
 #include "numbering.h"
+#include "parts.h"
 #include "pattern.h"
 #include "point_mass.h"
 #include "reduction.h"
@@ -75,6 +76,32 @@ static void free_named(struct list *list, size_t size, size_t name_offset, int n
     hobe_free(list->item);
 }
 
+void model_forget_system(hobe_model *model)
+{
+    model->unknown = NULL;
+    model->held = NULL;
+    model->pattern = (struct pattern){0};
+    model->touched = (struct touched){0};
+    memset(model->stride, 0, sizeof model->stride);
+    model->fronts = NULL;
+    model->solver = NULL;
+    model->schedule = (struct schedule){0};
+}
+
+void model_free_system(hobe_model *model)
+{
+    hobe_free(model->unknown);
+    hobe_free(model->held);
+    pattern_free(&model->pattern);
+    hobe_free(model->touched.vector);
+    hobe_free(model->touched.at);
+    for (int layout = 0; layout < LAYOUTS; layout++)
+        hobe_free(model->stride[layout]);
+    fronts_free(model->fronts);
+    hobe_linsolve_free(model->solver);
+    assemble_free(&model->schedule);
+}
+
 void hobe_model_free(hobe_model *model)
 {
     if (!model)
@@ -99,19 +126,11 @@ void hobe_model_free(hobe_model *model)
     for (size_t i = 0; i < model->ties.count; i++)
         tie_free(model_tie(model, i));
     hobe_free(model->ties.item);
-    hobe_linsolve_free(model->solver);
-    fronts_free(model->fronts);
-    for (int layout = 0; layout < LAYOUTS; layout++)
-        hobe_free(model->stride[layout]);
-    pattern_free(&model->pattern);
+    parts_free(model->parts);
+    model_free_system(model);
     hobe_free(model->alias);
-    hobe_free(model->unknown);
-    hobe_free(model->held);
     hobe_free(model->dead);
     hobe_free(model->arm);
-    hobe_free(model->touched.vector);
-    hobe_free(model->touched.at);
-    assemble_free(&model->schedule);
     for (size_t i = 0; i < model->notes; i++)
         hobe_free(model->note[i]);
     hobe_free(model->note);
@@ -546,6 +565,8 @@ static enum hobe_status build(hobe_model *model, struct hobe_error *err)
         status = point_mass_places(model, err);
     if (!status)
         status = load_build(model, err);
+    if (!status)
+        status = parts_find(model, err);
     return status ? status : assemble_schedule(model, err);
 }
 

@@ -116,6 +116,7 @@ struct hobe_model {
     double *dead;            /* [vectors][3] forces that do not depend on the state */
     struct pattern pattern;
     struct touched touched;
+    struct parts *parts;         /* that nothing couples (parts.h), of a built one */
     struct reduction *reduction; /* of a reduced model (reduction.h); NULL: it is none */
     int *stride[LAYOUTS];        /* [unknowns] */
     hobe_fronts *fronts;         /* NULL where tangents are not symmetric */
@@ -141,6 +142,11 @@ static inline long model_vector(const struct hobe_model *model, const struct bea
 
 /* HOBE_UNCONSTRAINED with the sentence that names what is free to move, of a built model. */
 enum hobe_status model_check_held(const struct hobe_model *model, struct hobe_error *err);
+
+/* Frees the numbers of the unknowns and all that is laid out for them; forgets them, for a copy of
+ * the model that gets its own. */
+void model_free_system(hobe_model *model);
+void model_forget_system(hobe_model *model);
 
 /* Whether the states of two built models have the same unknowns. */
 int model_same_shape(const hobe_model *a, const hobe_model *b);

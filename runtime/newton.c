@@ -10,6 +10,7 @@
 #include "inertia.h"
 #include "load.h"
 #include "mass.h"
+#include "parts.h"
 #include "pattern.h"
 #include "reduction.h"
 #include "snapshot_modes.h"
@@ -443,12 +444,20 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 
 /* ---- a start from another solution ----------------------------------------------------------- */
 
-/* Whether the start is a state of the model or of one with the same unknowns. */
-static int fits(const hobe_model *model, const hobe_solution *start)
+/* The start, unless NULL, must be a state of the model or of one with the same unknowns. */
+static enum hobe_status check_start(const hobe_model *model, const hobe_solution *start,
+                                    struct hobe_error *err)
 {
     const struct reduction *reduction = model->reduction;
-    return reduction ? start->reduced == reduction->of && start->coordinates == model->vectors
-                     : model_same_shape(model, start->model);
+    if (!start ||
+        (reduction ? start->reduced == reduction->of && start->coordinates == model->vectors
+                   : model_same_shape(model, start->model)))
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "start must be a result of this scene or of one of the same shape (the same "
+                     "elements, joins and supports in the same order): it has %ld unknowns, here "
+                     "are %ld",
+                     3 * start->model->unknowns, 3 * model->unknowns);
 }
 
 /* Newton at the full load from the start that is given, in one step; FAILED leaves the reference.
@@ -457,14 +466,6 @@ static enum outcome attempt_start(struct solver *s, struct hobe_error *err)
 {
     const hobe_solution *start = s->options.start;
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
-    if (!fits(s->model, start)) {
-        hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                  "start must be a result of this scene or of one of the same shape (the same "
-                  "elements, joins and supports in the same order): it has %ld unknowns, here are "
-                  "%ld",
-                  3 * start->model->unknowns, 3 * s->model->unknowns);
-        return ERROR;
-    }
     memcpy(s->u, solution_field(start, s->model, SOLUTION_U), size);
     memcpy(s->start, s->u, size);
     s->now.step = 1;
@@ -691,18 +692,12 @@ static enum hobe_status count_negative(struct solver *s, struct hobe_error *err)
     return HOBE_OK;
 }
 
-enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
-                             hobe_solution **solution, struct hobe_error *err)
+enum hobe_status newton_static(hobe_model *model, const struct hobe_newton *options,
+                               hobe_solution **solution, struct hobe_error *err)
 {
     struct solver s;
-    *solution = NULL;
-    enum hobe_status status = hobe_model_build(model, err);
-    if (!status)
-        status = model_check_held(model, err);
-    if (status)
-        return status;
     const double started = hobe_seconds();
-    status = solver_open(&s, model, options, err);
+    enum hobe_status status = solver_open(&s, model, options, err);
     const int loaded = !status && s.load_norm > 0;
     if (loaded && options->method == HOBE_METHOD_SERIES && !options->linear)
         status = follow_series(model, &s.options, solution, err);
@@ -720,4 +715,21 @@ enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *option
         status = check_trust(model, solution, err);
     solver_close(&s);
     return status;
+}
+
+enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
+                             hobe_solution **solution, struct hobe_error *err)
+{
+    *solution = NULL;
+    enum hobe_status status = hobe_model_build(model, err);
+    if (!status)
+        status = model_check_held(model, err);
+    if (!status && !options->linear)
+        status = check_start(model, options->start, err);
+    if (status)
+        return status;
+    /* a linear answer takes one factorisation anyway, and fields of a projection may be in all */
+    const int apart =
+        !model->reduction && model->parts->count > 1 && !options->linear && !options->projection;
+    return (apart ? parts_static : newton_static)(model, options, solution, err);
 }

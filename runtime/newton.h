@@ -117,6 +117,10 @@ enum outcome solver_check_volume(struct solver *s, struct hobe_error *err);
  * that is there, and info.limit_load then.  Changes s->start. */
 enum outcome jump_verify(struct solver *s, double from, double to, struct hobe_error *err);
 
+/* hobe_static of a model that is built and held, as one problem; options.start fits it. */
+enum hobe_status newton_static(hobe_model *model, const struct hobe_newton *options,
+                               hobe_solution **solution, struct hobe_error *err);
+
 /* A solution with a copy of the state; NULL with err set. */
 hobe_solution *solver_take(struct solver *s, double started, struct hobe_error *err);
 

@@ -41,39 +41,48 @@ static enum hobe_status allocate_vectors(hobe_model *model, struct hobe_error *e
     return HOBE_OK;
 }
 
-/* Whether any element of the beam leaves a mode out. */
-static int is_dropped(const struct beam *beam, int mode)
+/* Vectors that a section does not carry are held at zero, where the elements have them still. */
+static void hold_mode(hobe_model *model, const struct beam *beam, const char *mode)
 {
-    for (int i = 0; i < beam->laws; i++)
-        if (hobe_element_dropped(beam->law[i])[mode])
-            return 1;
-    return 0;
+    const struct hobe_kernel *k = beam->kernel;
+    for (int e = 0; e < beam->spec.elements; e++)
+        for (int v = 0; v < k->vectors; v++)
+            if (!strcmp(k->mode[k->vector[v].mode], mode))
+                model->held[model_vector(model, beam, e, v)] = 1;
 }
 
-/* Vectors that a section does not carry are held at zero, and named. */
+/* They are named, and so is the element that does without. */
+static enum hobe_status leave_out(hobe_model *model, const struct beam *beam,
+                                  struct hobe_error *err)
+{
+    const struct hobe_kernel *asked = beam->spec.kernel;
+    char text[400];
+    for (int m = 0; m < asked->modes; m++) {
+        if (!beam->dropped[m])
+            continue;
+        snprintf(
+            text, sizeof text,
+            "beam \"%.200s\": section mode %s vanishes or depends on earlier modes and is left "
+            "out",
+            beam->name, asked->mode[m]);
+        if (model_add_note(model, text, err))
+            return HOBE_NO_MEMORY;
+        hold_mode(model, beam, asked->mode[m]);
+    }
+    if (beam->kernel == asked)
+        return HOBE_OK;
+    snprintf(text, sizeof text,
+             "beam \"%.200s\": what is left of %.50s is %.50s, and costs no more than that",
+             beam->name, asked->name, beam->kernel->name);
+    return model_add_note(model, text, err);
+}
+
 static enum hobe_status hold_dropped(hobe_model *model, struct hobe_error *err)
 {
-    for (size_t i = 0; i < model->beams.count; i++) {
-        const struct beam *beam = model_beam(model, i);
-        const struct hobe_kernel *k = beam->kernel;
-        for (int m = 0; m < k->modes; m++) {
-            char text[200];
-            if (!is_dropped(beam, m))
-                continue;
-            snprintf(
-                text, sizeof text,
-                "beam \"%s\": section mode %s vanishes or depends on earlier modes and is left "
-                "out",
-                beam->name, k->mode[m]);
-            if (model_add_note(model, text, err))
-                return HOBE_NO_MEMORY;
-            for (int e = 0; e < beam->spec.elements; e++)
-                for (int v = 0; v < k->vectors; v++)
-                    if (k->vector[v].mode == m)
-                        model->held[model_vector(model, beam, e, v)] = 1;
-        }
-    }
-    return HOBE_OK;
+    enum hobe_status status = HOBE_OK;
+    for (size_t i = 0; !status && i < model->beams.count; i++)
+        status = leave_out(model, model_beam(model, i), err);
+    return status;
 }
 
 static enum hobe_status note_spurious(hobe_model *model, struct hobe_error *err)
@@ -88,7 +97,7 @@ static enum hobe_status note_spurious(hobe_model *model, struct hobe_error *err)
         snprintf(text, sizeof text,
                  "beam \"%s\": with integration = \"paper\" element %s has %d zero-energy modes, "
                  "%d of them spurious; supports may not hold them",
-                 beam->name, beam->kernel->name, rest.zero, rest.zero - 6);
+                 beam->name, beam->spec.kernel->name, rest.zero, rest.zero - 6);
         if (model_add_note(model, text, err))
             return HOBE_NO_MEMORY;
     }
@@ -108,9 +117,9 @@ static enum hobe_status note_stiffness(hobe_model *model, struct hobe_error *err
         struct hobe_rest rest;
         char text[600];
         hobe_element_rest(beam->law[0], &rest);
-        int used =
-            snprintf(text, sizeof text, "beam \"%.200s\": %.99s with mechanics %s has", beam->name,
-                     beam->kernel->name, hobe_mechanics_name(hobe_element_mechanics(beam->law[0])));
+        int used = snprintf(text, sizeof text, "beam \"%.200s\": %.99s with mechanics %s has",
+                            beam->name, beam->spec.kernel->name,
+                            hobe_mechanics_name(hobe_element_mechanics(beam->law[0])));
         const int none = used;
         for (int s = 0; s < HOBE_STRAINS; s++)
             if (rest.share[s] != 0 && fabs(rest.share[s] - 1) > NOTED)
@@ -151,7 +160,7 @@ static enum hobe_status note_free_clamp(hobe_model *model, const struct beam *be
         text, sizeof text,
         "beam \"%.200s\": a clamp with warping = \"free\" holds the slopes y and z on the axis, "
         "from which the cubic modes of %.99s let the outline turn away: too soft near the clamp",
-        beam->name, beam->kernel->name);
+        beam->name, beam->spec.kernel->name);
     return model_add_note(model, text, err);
 }
 
@@ -169,7 +178,7 @@ static enum hobe_status hold_clamps(hobe_model *model, struct hobe_error *err)
                 err, HOBE_BAD_INPUT, c->where,
                 "a clamp must sit on a node: beam \"%s\" has %d elements of type %s and "
                 "none of their nodes with a position at %g",
-                beam->name, beam->spec.elements, beam->kernel->name, c->at);
+                beam->name, beam->spec.elements, beam->spec.kernel->name, c->at);
         for (int v = 0; v < beam->kernel->vectors; v++) {
             const struct hobe_vector *is = beam->kernel->vector + v;
             if (is->node == node && (!c->free_warping || (is->mode <= 2 && !is->slope)))
@@ -203,16 +212,14 @@ static size_t owner(const hobe_model *model, long vector)
     return i;
 }
 
-static size_t group_of(const size_t *group, size_t i)
+size_t group_of(const size_t *group, size_t i)
 {
     while (group[i] != i)
         i = group[i];
     return i;
 }
 
-/* Beams that share a vector are one group: group[i] leads to the same root for all of them; bodies,
- * behind the beams, are groups of their own. */
-static void group_parts(const hobe_model *model, size_t *group)
+void group_parts(const hobe_model *model, size_t *group)
 {
     for (size_t i = 0; i < model->beams.count + model->bodies.count; i++)
         group[i] = i;
@@ -247,7 +254,7 @@ static enum hobe_status check_held(hobe_model *model, struct hobe_error *err)
     return status == HOBE_NO_MEMORY ? model_check_held(model, err) : HOBE_OK;
 }
 
-static void number_unknowns(hobe_model *model)
+void number_unknowns(hobe_model *model)
 {
     model->unknowns = 0;
     for (long v = 0; v < model->vectors; v++)

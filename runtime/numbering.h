@@ -9,6 +9,14 @@
  * (model_check_held), numbers the unknowns, and checks that no joint is one too many. */
 enum hobe_status number_model(hobe_model *model, struct hobe_error *err);
 
+/* Numbers the vectors that are no alias and not held. */
+void number_unknowns(hobe_model *model);
+
+/* Beams that share a vector are one group: group[i] leads to the same root for all of them, which
+ * group_of finds; bodies, behind the beams, are groups of their own. */
+void group_parts(const hobe_model *model, size_t *group);
+size_t group_of(const size_t *group, size_t i);
+
 /* Makes one of the vectors that joined beams share, and adds corners (join.c). */
 enum hobe_status join_beams(hobe_model *model, struct hobe_error *err);
 

@@ -78,7 +78,7 @@ static void extent(const struct hobe_plot *plot, double *box)
     }
 }
 
-/* The legend's place: the corner with the fewest points, or outside where it is long. */
+/* The legend's place: a corner without points, or outside where there is none or it is long. */
 static const char *legend(const struct hobe_plot *plot)
 {
     static const char *const corner[] = {"right top", "left top", "right bottom", "left bottom"};
@@ -102,7 +102,7 @@ static const char *legend(const struct hobe_plot *plot)
     }
     for (size_t c = 1; c < 4; c++)
         best = points[c] < points[best] ? c : best;
-    return corner[best];
+    return points[best] > 0 ? "outside right top" : corner[best];
 }
 
 static void add_label(struct hobe_text *text, const char *what, const char *label)
@@ -119,9 +119,8 @@ static void add_logarithm(struct hobe_text *text, char axis, const double extent
 {
     const int first = (int)floor(extent_of[0]), last = (int)ceil(extent_of[1]);
     hobe_text_add(text, "set logscale %c\n", axis);
-    if (last - first > 2) {
-        if (last - first > 5) /* decimals would be all noughts */
-            hobe_text_add(text, "set format %c '%%g'\n", axis);
+    if (last - first > 2) { /* by themselves all would have the decimals of the smallest */
+        hobe_text_add(text, "set format %c '%%g'\n", axis);
         return;
     }
     hobe_text_add(text, "set %ctics (", axis);

@@ -350,6 +350,25 @@ void pattern_clear(const struct hobe_model *model, const struct matrix *matrix)
         memset(matrix->value + i, 0, (size - i < share ? size - i : share) * sizeof(double));
 }
 
+void pattern_add_block(const struct hobe_model *model, long place, long vector,
+                       const double block[3][3], const struct matrix *A)
+{
+    if (place < 0)
+        return;
+    const int stride = model->stride[A->layout][model->unknown[vector]];
+    for (int c = 0; c < 3; c++)
+        for (int a = 0; a < 3; a++)
+            A->value[place + c * stride + a] += block[a][c];
+}
+
+void pattern_add_element(const struct hobe_model *model, const struct beam *beam, int e, int v,
+                         int w, const double block[3][3], const struct matrix *A)
+{
+    const int V = beam->kernel->vectors;
+    pattern_add_block(model, beam->place[A->layout][((long)e * V + v) * V + w],
+                      model_vector(model, beam, e, w), block, A);
+}
+
 void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double *fronts)
 {
     const struct pattern *p = &model->pattern;

@@ -30,6 +30,14 @@ void pattern_clear(const struct hobe_model *model, const struct matrix *matrix);
 void pattern_add(const struct hobe_model *model, double factor, const struct matrix *B,
                  const struct matrix *A);
 
+/* A += a 3 x 3 block whose columns are a vector's, at its place in the layout of A; < 0: it has
+ * none. The same for (v, w) of element e; of symmetric matrices both (v, w) and (w, v) are to be
+ * given. */
+void pattern_add_block(const struct hobe_model *model, long place, long vector,
+                       const double block[3][3], const struct matrix *A);
+void pattern_add_element(const struct hobe_model *model, const struct beam *beam, int e, int v,
+                         int w, const double block[3][3], const struct matrix *A);
+
 /* fronts = a symmetric matrix whose values in columns are Ax. */
 void pattern_to_fronts(const struct hobe_model *model, const double *Ax, double *fronts);
 

@@ -61,7 +61,7 @@ static enum hobe_status check_options(const hobe_model *model, const struct hobe
             return hobe_fail(err, HOBE_BAD_INPUT, beam->spec.where,
                              "beam \"%s\" cannot be reduced: the energy of element %s is no "
                              "polynomial; use another element",
-                             beam->name, beam->kernel->name);
+                             beam->name, beam->spec.kernel->name);
     }
     if (model->beams.count == 0)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL, "a scene without a beam cannot be reduced");

@@ -81,6 +81,31 @@ void hobe_solution_free(hobe_solution *solution)
     hobe_free(solution);
 }
 
+static hobe_solution **entry(const struct list *list, int i)
+{
+    return i >= 0 && (size_t)i < list->count ? (hobe_solution **)list->item + i : NULL;
+}
+
+const hobe_solution *solutions_get(const struct list *list, int i)
+{
+    return entry(list, i) ? *entry(list, i) : NULL;
+}
+
+hobe_solution *solutions_take(struct list *list, int i)
+{
+    hobe_solution **at = entry(list, i), *taken = at ? *at : NULL;
+    if (at)
+        *at = NULL;
+    return taken;
+}
+
+void solutions_free(struct list *list)
+{
+    for (size_t i = 0; i < list->count; i++)
+        hobe_solution_free(*entry(list, (int)i));
+    hobe_free(list->item);
+}
+
 void hobe_solution_info(const hobe_solution *solution, struct hobe_solution_info *info)
 {
     *info = solution->info;

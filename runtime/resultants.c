@@ -17,13 +17,6 @@
 /* Of an element's length: a place so near to an end is there. */
 static const double AT_END = 1e-9;
 
-/* sum += c */
-static void add3(double sum[3], const double c[3])
-{
-    for (int a = 0; a < 3; a++)
-        sum[a] += c[a];
-}
-
 /* Global force and moment on the section's axes. */
 static void resolve(const double force[3], const double moment[3], struct hobe_resultants *r)
 {
@@ -66,9 +59,9 @@ static void sum_node(const struct around *p, const double *f, struct hobe_result
             q[a] = p->q0[3 * v + a] + p->u[3 * v + a];
         cross3(q, f + 3 * v, couple);
         if (is->mode == 0 && !is->slope)
-            add3(force, f + 3 * v);
+            add3(1, f + 3 * v, force);
         else
-            add3(moment, couple);
+            add3(1, couple, moment);
         if (!is->slope && !strcmp(k->mode[is->mode], "w"))
             r->bimoment += dot3(r->axes[0], f + 3 * v);
     }
@@ -115,7 +108,7 @@ static void position(const struct around *p, double r[3])
     double u[3], F[3][3];
     around_field(p, p->q0, r, F);
     around_field(p, p->u, u, F);
-    add3(r, u);
+    add3(1, u, r);
 }
 
 /* The place of w among the kernel's functions, or -1. */
@@ -146,8 +139,8 @@ static void sum_points(struct stress_section *s, const struct hobe_section_rule 
             traction[a] = point->weight * dot3(F[a], on_x);
         }
         cross3(arm, traction, couple);
-        add3(force, traction);
-        add3(moment, couple);
+        add3(1, traction, force);
+        add3(1, couple, moment);
         if (w >= 0)
             r->bimoment += point->f[w][0] * dot3(r->axes[0], traction);
     }
@@ -164,10 +157,11 @@ static enum hobe_status from_stress(const hobe_solution *solution, const char *n
     if (status)
         return status;
     around_axis(&section.around);
-    const struct hobe_beam *spec = &section.around.place.beam->spec;
+    const struct beam *beam = section.around.place.beam;
     const struct hobe_section_place place = around_section_place(section.around.place);
     position(&section.around, centre);
-    status = hobe_section_rule(spec->section, spec->kernel, spec->integration, &place, &rule, err);
+    status = hobe_section_rule(beam->spec.section, beam->kernel, beam->spec.integration, &place,
+                               &rule, err);
     if (status)
         return status;
     sum_points(&section, &rule.rule, centre, r);

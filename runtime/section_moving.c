@@ -126,12 +126,12 @@ static enum hobe_status solve_moving(const void *field, const double *numbers, d
 {
     const struct moving *m = field;
     const int nodes = m->like->mesh.nodes;
-    struct shape *s = hobe_shape_like(m->like, numbers, err);
+    struct shape *s = shape_like(m->like, numbers, err);
     if (!s)
         return err ? err->status : HOBE_NO_MEMORY;
     enum hobe_status status = moved_mesh(m, s, err);
     if (!status)
-        status = hobe_shape_solve(s, err);
+        status = shape_solve(s, err);
     for (int n = 0; !status && n < nodes; n++) {
         double unit = m->size;
         for (int a = 0; a < PLACES; a++)

@@ -45,6 +45,12 @@ hobe_solution *solution_new(const hobe_model *model, const double *u, const doub
                             const double *w, const struct hobe_solution_info *info,
                             struct hobe_error *err);
 
+/* The i-th of a list of hobe_solution *, owned by the list; NULL where there is none.  Taken from
+ * the list it is the caller's.  Frees all of them, and the list's memory. */
+const hobe_solution *solutions_get(const struct list *list, int i);
+hobe_solution *solutions_take(struct list *list, int i);
+void solutions_free(struct list *list);
+
 /* *smallest = min det F over the stations of all elements and the corners and centre of their
  * sections: the deformation has turned inside out where it is not positive. */
 enum hobe_status solution_smallest_volume(const hobe_model *model, const double *u,

@@ -86,7 +86,7 @@ static enum hobe_status find_sizes(const hobe_model *model, long *vectors, long 
             return hobe_fail(err, HOBE_BAD_INPUT, beam->spec.where,
                              "a reduced model needs elements whose energy is a polynomial; that of "
                              "%s (beam \"%s\") is none: take one that is not \"structural\"",
-                             beam->kernel->name, beam->name);
+                             beam->spec.kernel->name, beam->name);
         *vectors = beam->kernel->vectors > *vectors ? beam->kernel->vectors : *vectors;
         for (int b = 0; b < beam->batches; b++) {
             const long here = strains_of(beam, beam->batch + b);

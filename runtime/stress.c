@@ -143,7 +143,7 @@ enum hobe_status stress_section(const hobe_solution *solution, const char *name,
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "beam \"%s\" has no stress at a point: the law of element %s is one of "
                          "section forces; ask for its resultants at the ends of elements",
-                         name, beam->kernel->name);
+                         name, beam->spec.kernel->name);
     *s = (struct stress_section){.law = hobe_element_law(element)};
     around_look(solution->model, solution->u, place, &s->around);
     around_axis(&s->around);

@@ -30,6 +30,21 @@ static inline void cross3(const double a[3], const double b[3], double c[3])
         c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
+/* c += factor a */
+static inline void add3(double factor, const double a[3], double c[3])
+{
+    for (int i = 0; i < 3; i++)
+        c[i] += factor * a[i];
+}
+
+/* c += a x b */
+static inline void add_cross3(const double a[3], const double b[3], double c[3])
+{
+    double product[3];
+    cross3(a, b, product);
+    add3(1, product, c);
+}
+
 /* B = factor A */
 static inline void times3(double factor, const double A[3][3], double B[3][3])
 {

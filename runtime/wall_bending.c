@@ -160,7 +160,7 @@ static void tell(const struct beam *beam, const struct hobe_wall_bending *b,
              "bends its walls; element %s keeps them straight and is about %.2g %% too stiff "
              "at that twist%s: use a solid or shell model or, in a long beam, an element with v2y "
              "and v2z",
-             beam->name, b->at, fabs(b->torque), fabs(b->twist_rate), beam->kernel->name,
+             beam->name, b->at, fabs(b->torque), fabs(b->twist_rate), beam->spec.kernel->name,
              100 * b->loss, limit);
 }
 

@@ -1,34 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # hobe advise, and scenes that choose their model, from outside.
-#
-# From ctest: HOBE, the program.
-set -u
-hobe=$(realpath "${HOBE:?set HOBE to the program}")
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-failed=0
-
-complain() {
-    echo "run_advise: $*" >&2
-    sed 's/^/    stderr: /' stderr >&2
-    failed=$((failed + 1))
-}
-
-# run STATUS ARGUMENTS...: runs the program, keeps stdout and stderr, checks the exit status.
-run() {
-    want=$1
-    shift
-    timeout 120 "$hobe" "$@" >stdout 2>stderr
-    got=$?
-    [ "$got" -eq "$want" ] || complain "hobe $*: exit status $got instead of $want"
-}
-
-# has FILE REGEX
-has() {
-    grep -Eq -- "$2" "$1" || complain "$1 should have: $2"
-}
+# shellcheck source=tests/cases/check.sh
+. "$(dirname "$0")/check.sh"
 
 cat >beam.lua <<'END'
 local hobe = require "hobe"

@@ -2,24 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # hobe bench from outside: every column is there, every number is one, files are written.  How long
 # anything takes is nobody's business here.
-set -u
-hobe=$(realpath "${HOBE:?set HOBE to the program}")
-python=${HOBE_PYTHON:-python3}
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-failed=0
-
-complain() {
-    echo "run_bench: $*" >&2
-    failed=$((failed + 1))
-}
+# shellcheck source=tests/cases/check.sh
+. "$(dirname "$0")/check.sh"
 
 short="--quick --seconds 0.001"
 # shellcheck disable=SC2086 # several options
 "$hobe" bench $short --element 3333s,BE24,BE24 --out out --format json >bench.json 2>stderr ||
-    complain "$(cat stderr)"
-[ ! -s stderr ] || complain "progress, and no terminal: $(cat stderr)"
+    complain "the benchmark"
+[ ! -s stderr ] || complain "progress, and no terminal"
 
 "$python" - <<'PYTHON' || complain "the results are not what they should be"
 import csv, json, math
@@ -90,7 +80,7 @@ refuses() {
     sentence=$1
     shift
     if "$hobe" bench "$@" >stdout 2>stderr; then complain "$* is taken"; fi
-    grep -q "^hobe: .*$sentence" stderr || complain "$*: $(cat stderr)"
+    grep -q "^hobe: .*$sentence" stderr || complain "$*"
     [ "$(wc -l <stderr)" -eq 1 ] && [ ! -s stdout ] || complain "$*: more than a sentence"
 }
 refuses 'unknown element "MGD31w"; known are' --element BE24,MGD31w

@@ -2,18 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # hobe chart from outside, on tiny ladders: errors and costs of every model, a front that is one,
 # commands that give the same numbers again, failures with their sentence.
-set -u
-hobe=$(realpath "${HOBE:?set HOBE to the program}")
-python=${HOBE_PYTHON:-python3}
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-failed=0
-
-complain() {
-    echo "run_chart: $*" >&2
-    failed=$((failed + 1))
-}
+# shellcheck source=tests/cases/check.sh
+. "$(dirname "$0")/check.sh"
 
 cat >case.lua <<'LUA'
 local hobe = require "hobe"
@@ -38,13 +28,19 @@ LUA
 grep -v truth case.lua | sed '/^  ladder/,/^}/d; /^hobe.chart/d' >plain.lua
 
 "$hobe" chart case.lua --quick --out out --format json >chart.json 2>stderr ||
-    complain "$(cat stderr)"
-[ ! -s stderr ] || complain "progress, and no terminal: $(cat stderr)"
+    complain "the chart"
+[ ! -s stderr ] || complain "progress, and no terminal"
 "$hobe" chart plain.lua P=5 element=3333,BE24 elements=1,2 --quick >plain.txt 2>stderr ||
-    complain "$(cat stderr)"
+    complain "the chart of a plain case"
+"$hobe" chart plain.lua element=3333,34X3,MGD30w elements=1,2 integration=exact,paper --quick \
+    --format json >any.json 2>stderr || complain "the chart of any case"
+"$hobe" chart case.lua --model=MGD30w:2,3333:1:linear --quick --format csv >given.csv 2>stderr ||
+    complain "the chart of given models"
+[ "$(grep -c -e '^--model=MGD30w:2,' -e '^--model=3333:1:linear,' given.csv)" -eq 2 ] &&
+    [ "$(wc -l <given.csv)" -eq 3 ] || complain "models that are given: $(cat given.csv)"
 
 "$python" - "$hobe" <<'PYTHON' || complain "the results are not what they should be"
-import csv, json, math, re, subprocess, sys
+import csv, json, math, os, random, re, subprocess, sys
 
 rows = json.load(open("chart.json"))["chart"]
 assert json.load(open("out/chart.json"))["chart"] == rows
@@ -83,7 +79,18 @@ for line, row in zip(lines, rows):
 plain = open("plain.txt").read()
 assert plain.startswith("plain.lua P=5: 4 models, "), plain
 assert "each by: hobe run plain.lua P=5 MODEL" in plain
-assert re.search(r"of elements=8, from which elements=4 differs by \d", plain), plain
+assert re.search(r"of --model=(\w+):8, from which --model=\1:4 differs by \d", plain), plain
+
+# Models of any case by --model; points picked at random are what their commands give.
+rows = json.load(open("any.json"))["chart"]
+assert {r["model"] for r in rows} == {
+    f"--model={e}:{n}{p}" for e in ("3333", "34X3", "MGD30w") for n in (1, 2)
+    for p in ("", ":paper")}, rows
+for row in random.Random(os.environ.get("HOBE_TEST_SEED")).sample(rows, 3):
+    again = subprocess.run([sys.argv[1], *row["command"].split()[1:], "--format", "json"],
+                           check=True, stdout=subprocess.PIPE, text=True).stdout
+    report = json.loads(again)["report"]
+    assert report["v"]["value"] == row["v"] and "error of u" not in row, (row, report)
 PYTHON
 [ -s out/chart.data.csv ] && [ -s out/chart.gp ] || complain "no figure"
 ! command -v gnuplot >/dev/null || [ -s out/chart.png ] || complain "no picture"
@@ -94,7 +101,7 @@ refuses() {
     shift 2
     "$hobe" chart "$@" >stdout 2>stderr
     [ $? -eq "$status" ] || complain "$*: the status is not $status"
-    grep -q "^hobe: .*$sentence" stderr || complain "$*: $(cat stderr)"
+    grep -q "^hobe: .*$sentence" stderr || complain "$*"
     [ "$(wc -l <stderr)" -eq 1 ] && [ ! -s stdout ] || complain "$*: more than a sentence"
 }
 echo 'require("hobe").report{ u = 1 }' >none.lua
@@ -102,6 +109,7 @@ echo 'require("hobe").param("elements", 1)' >silent.lua
 echo 'require("hobe").param("elements", 1) require("hobe").report{ u = 1 }' >still.lua
 echo 'require("hobe").chart{ ladder = {{ element = {{}} }} }' >wrong.lua
 echo 'require("hobe").chart{ doubt = -1 }' >doubt.lua
+echo 'require("hobe").chart{ ladder = {{}} } require("hobe").report{ u = 1 }' >empty.lua
 echo 'require("hobe").chart{ quantities = { "u" }, truth = { v = 1 } }' >truth.lua
 sed 's/truth = .*/ladder = {{ elements = { 1, 2 } }},/; /^  ladder = {$/,/^  },/d' case.lua >early.lua
 "$hobe" chart early.lua --quick --format csv | grep -q '^model,.*,error of v,largest error' ||
@@ -114,9 +122,13 @@ refuses 2 'a parameter is given twice: elements' case.lua elements=1 elements=2,
 refuses 2 'words with commas between them, elements=2,4,8' case.lua elements=2,,4
 refuses 1 'nowhere.lua' nowhere.lua
 refuses 1 'all 5 models fail, .* with: the case has no parameter "Q"' case.lua Q=3 --quick
-refuses 1 'the case has no ladder: it needs' none.lua
+refuses 1 'all 1 models fail, --model=BE24:2 with: it solves no scene' none.lua --model=BE24:2
+refuses 1 'a model is ELEMENT:ELEMENTS' none.lua --model=BE24
+refuses 1 'the ladder of the case is empty' empty.lua
+refuses 1 'the case has no parameter "Q", did you mean "P"?$' plain.lua Q=3 elements=1,2
 refuses 1 'the case reports no value' silent.lua
-refuses 1 'all 6 models fail, elements=1 with: it solves no scene' still.lua
+refuses 1 'all 2 models fail, --model=3333:1 with: it solves no scene' still.lua element=3333 \
+    elements=1,2
 refuses 1 'wrong.lua:1: chart: element must be a number, string or boolean, got a table' wrong.lua
 refuses 1 'truth.lua:1: chart: truth has a name that is not among' truth.lua
 refuses 1 'doubt.lua:1: chart: doubt must be' doubt.lua

@@ -2,43 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The program from outside: results, formats, parameters, files, the sandbox's walls, exit status.
 #
-# From ctest: HOBE, the program; HOBE_BUILD, the build folder with lua/hobe.so; HOBE_PYTHON.
-set -u
-hobe=$(realpath "${HOBE:?set HOBE to the program}")
-python=${HOBE_PYTHON:-python3}
+# From ctest: HOBE_BUILD, the build folder with lua/hobe.so.
 module=$(realpath "${HOBE_BUILD:?set HOBE_BUILD to the build folder}")/lua
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-failed=0
+# shellcheck source=tests/cases/check.sh
+. "$(dirname "$0")/check.sh"
 
-# ---- checks -------------------------------------------------------------------------------------
-
-complain() {
-    echo "run_cli: $*" >&2
-    sed 's/^/    stderr: /' stderr >&2
-    failed=$((failed + 1))
-}
-
-# run STATUS ARGUMENTS...: runs the program, keeps stdout and stderr, checks the exit status.
-run() {
-    want=$1
-    shift
-    timeout 120 "$hobe" "$@" >stdout 2>stderr
-    got=$?
-    [ "$got" -eq "$want" ] || complain "hobe $*: exit status $got instead of $want"
-}
-
-# has FILE REGEX, lacks FILE REGEX
-has() {
-    grep -Eq -- "$2" "$1" || complain "$1 should have: $2"
-}
-lacks() {
-    if grep -Eq -- "$2" "$1"; then complain "$1 should not have: $2"; fi
-}
-is() {
-    [ "$(cat "$1")" = "$2" ] || complain "$1 should be: $2, is: $(cat "$1")"
-}
 one_error() {
     [ "$(wc -l <stderr)" -eq 1 ] || complain "not one line of error"
     [ ! -s stdout ] || complain "an error, and something on standard output"
@@ -303,7 +271,7 @@ cat >box.lua <<'END'
 local hobe = require "hobe"
 local T = hobe.param("T", 20)
 local scene = hobe.scene{
-  hobe.beam{ name = "box", element = "MGD30w", elements = 4,
+  hobe.beam{ name = "box", element = "MGD30w", elements = 16,
              section = hobe.box{ width = 0.25, height = 0.05, thickness = 0.005 },
              material = { E = 1e9, nu = 0.3 }, from = {0, 0, 0}, to = {2, 0, 0} },
   hobe.clamp{ "box", at = 0 },

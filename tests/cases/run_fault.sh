@@ -4,11 +4,8 @@
 # with one sentence (after warnings of results it had, from a mesh as coarse as this) and status 1,
 # without a crash, a leak or a file, until one gets through.  Needs a build with the sanitizers, which
 # is where HOBE_FAIL_ALLOCATION means something.
-set -u
-hobe=$(realpath "${HOBE:?set HOBE to the program}")
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/cases/check.sh
+. "$(dirname "$0")/check.sh"
 
 printf '0 0\n3 0\n0 4\n' >corner.csv
 cat >case.lua <<'LUA'

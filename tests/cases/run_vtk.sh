@@ -1,13 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Files for ParaView: well-formed XML whose arrays have the lengths they announce, all finite.
-#
-# From ctest: HOBE, the program; HOBE_PYTHON.
-set -u
-hobe=$(realpath "${HOBE:?set HOBE to the program}")
-scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
+# shellcheck source=tests/cases/check.sh
+. "$(dirname "$0")/check.sh"
 
 cat >case.lua <<'END'
 local hobe = require "hobe"
@@ -27,7 +22,7 @@ hobe.vtk{ file = "fifth.vtu", state = d:state(5) }
 END
 "$hobe" run case.lua --out out >stdout || exit 1
 
-"${HOBE_PYTHON:-python3}" - <<'END'
+"$python" - <<'END'
 import math
 import xml.etree.ElementTree as tree
 

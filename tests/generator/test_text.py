@@ -15,9 +15,9 @@ from pathlib import Path
 
 import sympy
 from declare import ELEMENTS, SMALL, SOURCE, Case, files, run
-from generator import emit
+from generator import ctext
 
-C_NAMES = [emit.identifier(name) for name in sorted(p.stem for p in ELEMENTS)]
+C_NAMES = [ctext.identifier(name) for name in sorted(p.stem for p in ELEMENTS)]
 
 # Budgets, generous for a slow machine; what is reached is printed by the generator and by size(1).
 SECONDS_TO_GENERATE = 60  # all elements

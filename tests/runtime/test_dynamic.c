@@ -430,6 +430,25 @@ static void rest(const hobe_section *section)
     hobe_model_free(model);
 }
 
+/* A straight column above Euler's load is an equilibrium that does not last: its motion says so at
+ * the start, and of no later state. */
+static void unstable(const hobe_section *section)
+{
+    const double E = 1e8, euler = M_PI * M_PI * E * properties_of(section).Izz / 4;
+    for (int above = 0; above < 2; above++) {
+        hobe_model *model = bar("MGD30w", 4, section, E);
+        add_clamp(model, "beam", 0, 0);
+        add_force(model, "beam", 1, -(above ? 1.1 : 0.9) * euler, 0, 0);
+        hobe_history *history =
+            move(model, &(struct hobe_dynamic){.to = 0.01, .step = 0.01, .equilibrium = 1});
+        check_that(info_of(hobe_history_state(history, 0)).negative == above,
+                   "negative eigenvalues of %d at the start", above);
+        check_that(info_of(last_state(history)).negative == -1, "not counted in motion");
+        hobe_history_free(history);
+        hobe_model_free(model);
+    }
+}
+
 /* ---- kinks ----------------------------------------------------------------------------------- */
 
 /* A damped bar that is turned with a speed which breaks at times that no step would meet. */
@@ -570,6 +589,7 @@ int main(void)
     go_on(section);
     kinks(section);
     rest(section);
+    unstable(section);
     refused(section);
     too_long(section);
     hobe_section_free(section);
