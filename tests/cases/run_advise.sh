@@ -85,7 +85,7 @@ hobe.report{ half = { d:state(2):displacement("bar", 1)[3], "m" },
 END
 run 0 run motion.lua --model=MGD30w3:16:step=0.02 --format json
 cp stdout truth.json
-for step in 0.003 0.0002; do
+for step in 0.003 0.0003; do
     run 0 advise motion.lua step=$step --accuracy 2e-2 --format json
     python3 - $step stdout <<'END' || complain "the step chosen in place of $step is not right"
 import json, sys
@@ -106,6 +106,8 @@ has stderr 'a model is ELEMENT:ELEMENTS.*got "MGD30w:2:step=0"'
 sed 's/, store = 0.045//' motion.lua >every.lua
 run 1 run every.lua --model=MGD30w:2:step=0.5
 has stderr 'every\.lua:9: dynamic: a model with another step needs store'
+run 0 advise every.lua --accuracy 2e-2
+has stdout 'error about .*, that of the step in time, which cannot be changed, left out$'
 
 # What cannot be asked for.
 run 2 advise
