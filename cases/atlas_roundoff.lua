@@ -49,10 +49,14 @@ local function scaled(u, factor) return { factor*u[1], factor*u[2], factor*u[3] 
 local u0, w0 = answers{}
 local tiny = answers{ F = 1e-9 }                       -- linear from here on down, to 1e-10
 local slim = answers{ L = 100, F = 1e-4 }              -- m: L/h 3e3 to 5e3; linear
--- What is different, what displacements should be, and how many digits of them should stay.
+-- Digits of a beam of length 1 and far out whose ends are rounded: u goes with L^3, and either end
+-- is off by half a place, of the binary digits that coordinates have there.
+local function input(at) return -math.log(3*2*2^-53*at/3, 10) end
+-- What is different, what displacements should be, and how many digits of them should stay; of
+-- other units 12, those that a stiffness with the condition of bending, n^4 elements, leaves.
 local ways = {
-  { "1 km from the origin /3", u0, 11, at = 1e3 }, { "1000 km/3", u0, 8, at = 1e6 },
-  { "1e6 km/3", u0, 5, at = 1e9 },
+  { "1 km from the origin /3", u0, input(1e3), at = 1e3 },
+  { "1000 km/3", u0, input(1e6), at = 1e6 }, { "1e6 km/3", u0, input(1e9), at = 1e9 },
   { "load 1e-12, strain 1e-15", scaled(tiny, 1e-3), 9, F = 1e-12 },
   { "load 1e-15, strain 1e-18", scaled(tiny, 1e-6), 9, F = 1e-15 },
   { "mm, N, t", u0, 12, m = 1e-3, kg = 1e3 }, { "mm, kN, kg, ms", u0, 12, m = 1e-3, s = 1e-3 },
@@ -77,15 +81,15 @@ hobe.table{
 }
 
 -- Over the distance from the origin, beside the digits that positions there have of a metre.
-local input = {}
+local positions = {}
 for k = 0, 12 do
   x[k + 1], y[k + 1] = 10^k, digits(answers{ at = 10^k }, u0)
-  input[k + 1] = 15.95 - k
+  positions[k + 1] = 15.95 - k
 end
 hobe.plot{
   file = "roundoff.png", title = "A beam of 1 m far from the origin",
   xlabel = "distance, m", ylabel = "digits that stay", xlog = true,
   series = { { x = x, y = y, label = "of displacements", style = "linespoints" },
-             { x = x, y = input, label = "of positions to a metre" } },
+             { x = x, y = positions, label = "of positions to a metre" } },
 }
 hobe.report(report)

@@ -111,7 +111,7 @@ if ok then ok, message = pcall(hobe.scene, { message }) end
 -- ---- the thin box ------------------------------------------------------------------------------
 
 local box = hobe.box{ width = 0.25, height = 0.05, thickness = 0.005 }
-local rows, said = {}, 0
+local rows, said, torques, losses, limit = {}, 0, {}, {}, nil
 for i, torque in ipairs{ 50, 100, 150, 200, 250 } do
   local r = hobe.static(hobe.scene{
     hobe.beam{ name = "box", element = "MGD30w", elements = n, section = box,
@@ -121,10 +121,18 @@ for i, torque in ipairs{ 50, 100, 150, 200, 250 } do
   local says = torque > walls.limit_torque and "means nothing" or walls.loss > 0.05 and "warned"
   rows[i] = { torque, r:twist("box", 1), walls.loss, walls.limit_torque, says or "" }
   said = said + (says and 1 or 0)
+  torques[i], losses[i], limit = torque, walls.loss, walls.limit_torque
 end
 hobe.table{
   title = "A thin box in torsion", rows = rows, file = "box.csv",
   columns = { "torque, N m", "twist, rad", "taken by walls", "limit, N m", "" },
+}
+hobe.plot{
+  file = "walls.png", title = "A thin box in torsion: what its bent walls take",
+  xlabel = "torque, N m", ylabel = "share of the stiffness", series = {
+    { label = "taken by walls", style = "linespoints", x = torques, y = losses },
+    { label = "warned of from here on", x = { 50, 250 }, y = { 0.05, 0.05 } },
+    { label = "the outline collapses", x = { limit, limit }, y = { 0, losses[#losses] } } },
 }
 hobe.report{
   worst = { worst, "", expect = 0, within = 0.15 },            -- 12 rad of pretwist, as

@@ -67,9 +67,9 @@ def section(case, folder, pictures):
     printed = run(f"{command} --out $OUT/{case.stem}", folder)
     shown = ""
     for picture in sorted(pathlib.Path(folder, case.stem).glob("*.png")):
-        name = f"atlas_{picture.stem}.png"
-        pictures[picture] = name
-        shown += f"![{title}: {picture.stem}]({name})\n\n"
+        name = case.stem if case.stem == f"atlas_{picture.stem}" else f"{case.stem}_{picture.stem}"
+        pictures[picture] = f"{name}.png"
+        shown += f"![{title}: {picture.stem}]({name}.png)\n\n"
     table = printed.split("\n\nname ")[0]
     return (f"\n## {title}\n\n{text}\n\n{shown}<!-- $ {command} | sed '/^name /,$d' -->\n"
             f"```text\n{table}\n```\n<!-- end -->\n")
@@ -98,6 +98,8 @@ def main():
             pages, pictures = renew(PAGES, folder), draw(folder)
         if check:
             return
+        for old in (TOP / "docs").glob("atlas_*.png") if atlas else ():
+            old.unlink()
         for source, target in pictures.items():
             shutil.copyfile(source, TOP / "docs" / target)
     for name, text in pages.items():

@@ -39,8 +39,7 @@ struct advise_model {
     enum advise_without without;
 };
 
-/* A model as a word, "MGD30w:8", "MGD30w:8:linear", "MGD30w:8:paper", "MGD30w:8:step=0.5",
- * "MGD30w:8:no-shear":
+/* A model as a word, "MGD30w:8", "MGD30w:8:linear:paper", "MGD30w:8:step=0.5", "MGD30w:8:no-shear":
  * text[ADVISE_WORD]; and back, HOBE_BAD_INPUT or HOBE_UNKNOWN for what is none. */
 enum { ADVISE_WORD = 120 };
 void advise_model_word(const struct advise_model *model, char *text);

@@ -62,6 +62,12 @@ enum hobe_status element_asked_plan(enum plan *plan, struct hobe_error *err);
 /* Gives a straight and prismatic element its tensor for the tasks where that is the way to take. */
 enum hobe_status element_choose_plan(hobe_element *element, enum plan plan, struct hobe_error *err);
 
+/* K[3 V][3 V], the tangent at the reference, and what hobe_element_stiffness makes of it. */
+enum hobe_status element_tangent_at_rest(const hobe_element *element, double *K,
+                                         struct hobe_error *err);
+enum hobe_status element_stiffness(const hobe_element *element, const double *K,
+                                   double C[HOBE_STRAINS][HOBE_STRAINS], struct hobe_error *err);
+
 /* Fills element->rest; HOBE_UNSTABLE where the stiffness at rest has negative eigenvalues. */
 enum hobe_status element_check_rest(hobe_element *element, struct hobe_error *err);
 

@@ -4,16 +4,40 @@
  * Build a model from beams, supports and loads; solve it; ask for results anywhere in a beam:
  *
  *     struct hobe_error err;
+ *     struct hobe_point tip;
+ *     hobe_solution *solution = NULL;
  *     hobe_section *section = hobe_section_rectangle(0.1, 0.2, HOBE_WARPING_SERIES, &err);
  *     hobe_model *model = hobe_model_new(&err);
- *     hobe_model_beam(model, &(struct hobe_beam){...}, &err);
- *     hobe_model_clamp(model, &(struct hobe_clamp){...}, &err);
- *     hobe_model_force(model, &(struct hobe_force){...}, &err);
- *     hobe_static(model, &(struct hobe_newton){0}, &solution, &err);
+ *     struct hobe_beam beam = {.name = "arm", .kernel = hobe_find_kernel("MGD30w", &err),
+ *                              .elements = 4, .section = section, .to = {1, 0, 0},
+ *                              .material = {.E = 210e9, .nu = 0.3, .k2 = 1, .k3 = 1}};
+ *     struct hobe_clamp clamp = {.beam = "arm", .at = 0};
+ *     struct hobe_force force = {.beam = "arm", .at = 1, .value = {0, 0, -1000}};
+ *     if (!section || !model || hobe_model_beam(model, &beam, &err) ||
+ *         hobe_model_clamp(model, &clamp, &err) || hobe_model_force(model, &force, &err) ||
+ *         hobe_static(model, &(struct hobe_newton){0}, &solution, &err) ||
+ *         hobe_solution_point(solution, "arm", 1, 0, 0, &tip, &err))
+ *         fprintf(stderr, "%s\n", err.message);
+ *     else
+ *         printf("%g m\n", tip.u[2]);
+ *     hobe_solution_free(solution);
+ *     hobe_model_free(model);
+ *     hobe_section_free(section);
  *
- * SI units throughout; angles in radians.  The library prints nothing, knows no Lua, and copies
- * what it is given unless it says otherwise.  `where` tags are kept by pointer and handed back in
- * hobe_error.where: they must outlive the model, and may be NULL. */
+ * In this order below: sections, materials, elements, curves, drives, the model, statics, paths,
+ * motion in time, results, vibration, buckling, reduced models.
+ *
+ * SI units throughout; angles in radians; arrays row by row.  The library prints nothing, knows no
+ * Lua, and copies what it is given unless it says otherwise.
+ *
+ * A function that can fail returns a status, 0 where it did not, or a pointer, NULL where it did,
+ * and writes one sentence to err, which may be NULL (error.h); what a verb would hand out is NULL
+ * then.  Whatever else a function says: a name that the model has not is HOBE_UNKNOWN, a number out
+ * of its range or not finite HOBE_BAD_INPUT, and any may be HOBE_NO_MEMORY.  `where` tags are kept
+ * by pointer and handed back in hobe_error.where: they must outlive the model, and may be NULL.
+ *
+ * What a function makes is the caller's, and freed by the ..._free of its type, which takes NULL;
+ * what it returns as const belongs to its argument and lives as long as that. */
 #ifndef HOBE_H
 #define HOBE_H
 
@@ -86,6 +110,8 @@ struct hobe_profile_sizes {
     double flange, web;           /* thicknesses */
     double top_width, top_flange; /* of an I-section's flange at +z; 0: as the other */
 };
+
+/* "I", "channel", "T", "angle". */
 const char *hobe_profile_name(enum hobe_profile profile);
 
 /* w solved; for the I-section with equal flanges also the paper's.  Its coordinates begin in the
@@ -148,6 +174,8 @@ int hobe_section_varies(const hobe_section *section);
 hobe_section *hobe_section_at(const hobe_section *section, double at, struct hobe_error *err);
 
 void hobe_section_free(hobe_section *section);
+
+/* Those of a section; of one that varies along the beam those at its begin. */
 void hobe_section_properties(const hobe_section *section, struct hobe_section_properties *p);
 
 /* One line about the section and its warping function, for reports. */
@@ -197,6 +225,8 @@ enum hobe_mechanics {
     HOBE_MECHANICS_STRUCTURAL /* a rod's law: E, G and the section's J, no Poisson coupling; that of
                                  elements whose form is structural, which take no other */
 };
+
+/* "average", "axis", "full", "structural"; "default". */
 const char *hobe_mechanics_name(enum hobe_mechanics mechanics);
 
 enum hobe_integration {
@@ -239,7 +269,7 @@ const struct hobe_material *hobe_section_material(const hobe_section *section, i
 
 /* ---- elements (element.c, kernel_vectors.c) ------------------------------------------------- */
 
-/* The kernel called name, or NULL with err listing the known ones. */
+/* The kernel called name, for good; NULL with HOBE_UNKNOWN, which lists the known ones. */
 const struct hobe_kernel *hobe_find_kernel(const char *name, struct hobe_error *err);
 
 /* One element prepared for evaluation: kernel, invariants, reference. */
@@ -253,7 +283,7 @@ struct hobe_element_options {
     enum hobe_mechanics mechanics;
     enum hobe_integration integration;
     double from, to;  /* the element's part of its beam, fractions of the beam's length, which
-                         sections  that vary along it want to know; 0, 0: all of it */
+                         sections that vary along it want to know; 0, 0: all of it */
     const double *q0; /* reference nodal vectors [vectors][3] where curved or pretwisted, copied;
                          NULL: straight */
 };
@@ -299,8 +329,10 @@ const unsigned char *hobe_element_dropped(const hobe_element *element);
  * for axes frame[3] = e_x, e_y, e_z (rows). */
 void hobe_element_reference(const hobe_element *element, const double frame[3][3], double *q0);
 
-/* One element's quantities at absolute nodal vectors q[vectors][3]; q0 of the same shape.
- * f[3 * vectors], K and M full, row-major [3 * vectors][3 * vectors]. */
+/* One element's quantities at absolute nodal vectors q[vectors][3]; q0 of the same shape.  The
+ * strain energy U, J; the elastic force f[3 * vectors] = dU/dq; the tangent K[3 * vectors][3 *
+ * vectors] = d2U/dq2 and the mass matrix M of the same shape, both full.  Of a vector that is a
+ * position f is in N, K in N/m, M in kg; of one that multiplies a mode, in m^p, m^p times that. */
 enum hobe_status hobe_element_energy(const hobe_element *element, const double *q0, const double *q,
                                      double *U, struct hobe_error *err);
 enum hobe_status hobe_element_force(const hobe_element *element, const double *q0, const double *q,
@@ -603,11 +635,13 @@ struct hobe_spring {
     double point[3];   /* of bodies, m */
 };
 
+/* An empty model.  Freed after all solutions, paths, motions and modes that refer to it. */
 hobe_model *hobe_model_new(struct hobe_error *err);
 void hobe_model_free(hobe_model *model);
 
 /* Each adds a copy of one item; names are resolved by hobe_model_build, after which HOBE_BAD_INPUT
- * refuses more. */
+ * refuses more.  Errors have the item's `where`.  A beam makes its elements here: HOBE_UNSTABLE as
+ * of hobe_element_new. */
 enum hobe_status hobe_model_beam(hobe_model *, const struct hobe_beam *, struct hobe_error *);
 enum hobe_status hobe_model_body(hobe_model *, const struct hobe_body *, struct hobe_error *);
 enum hobe_status hobe_model_mass(hobe_model *, const struct hobe_mass *, struct hobe_error *);
@@ -643,7 +677,8 @@ struct hobe_spin {
 enum hobe_status hobe_model_spin(hobe_model *, const struct hobe_spin *, struct hobe_error *);
 
 /* Checks the model and does everything that is done once: invariants, numbering, sparsity and
- * scatter maps, symbolic factorisation.  hobe_static calls it when it has not been called. */
+ * scatter maps, symbolic factorisation.  The verbs call it when it has not been called.
+ * HOBE_BAD_INPUT and HOBE_UNKNOWN with the `where` of the item at fault. */
 enum hobe_status hobe_model_build(hobe_model *model, struct hobe_error *err);
 
 struct hobe_model_info {
@@ -734,7 +769,8 @@ struct hobe_solution_info {
                           a motion but for the equilibrium that it starts from */
     double limit_load; /* the load factor of a limit point on the path from rest, beyond which the
                           equilibrium lies on another branch, which a load that grows comes to by a
-                          jump; 0: none was met (jump.h; not looked for from options.start) */
+                          jump; 0: none was met (jump.h; not looked for from options.start,
+                          nor with a projection) */
     double residual;   /* of the last iteration */
     double change;  /* of the displacements by a last correction, beyond what tolerance asked for,
                        relative to their size, in the norm sum u^2 K_0 over the diagonal of the
@@ -932,7 +968,8 @@ struct hobe_point {
     double twist;       /* atan2(-r_z.Y, r_z.Z), Y, Z the section's axes in the reference, rad */
 };
 
-/* Everything at the place (at, y, z) of a beam: at in [0,1]; y, z in m from the centroid. */
+/* Everything at the place (at, y, z) of a beam: at in [0,1]; y, z in m from the centroid, where the
+ * section's functions go on beyond its outline as at the nearest point. */
 enum hobe_status hobe_solution_point(const hobe_solution *solution, const char *beam, double at,
                                      double y, double z, struct hobe_point *point,
                                      struct hobe_error *err);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Jumps over limit points: suspected by how Newton's iteration goes, verified by small steps. */
+#include "drive.h"
 #include "newton.h"
 
 #include <math.h>
@@ -12,20 +13,22 @@ static const double PROPORTION = 0.5;
 /* ... at which the next step is aimed, and how much longer than the last one it may be. */
 static const double AIM = 0.45, LONGER = 2;
 
-/* Share of the suspected step to begin with, at most, and iterations that a continuous one needs,
- * to what share of its load. */
-static const double FIRST = 0.25, TOLERANCE = 1e-3;
+/* Shares of the suspected step to begin with, and iterations that a continuous step needs, to what
+ * share of its load. */
+static const double LARGEST = 0.25, SMALLEST = 1e-3, TOLERANCE = 1e-3;
 enum { ITERATIONS = 8 };
 
 /* A step this small, of the load reached, may cross a bifurcation, where pivots change their sign.
  */
 static const double CROSSING = 1e-3;
 
-/* One this small, of the load reached or of the whole load, is none. */
-static const double NO_STEP = 1e-6, LEAST_STEP = 1e-12;
+/* Steps this small are none: of the load reached and of that of the suspected step. */
+static const double NO_STEP = 1e-6, NO_SHARE = 1e-4, LEAST_STEP = 1e-12;
 
 enum hobe_status jump_open(struct solver *s, struct hobe_error *err)
 {
+    s->jump.turn = INFINITY;
+    s->jump.driven = drive_joint(s->model) != NULL;
     s->jump.first = hobe_alloc((size_t)(3 * s->model->unknowns), sizeof *s->jump.first, err);
     return s->jump.first ? HOBE_OK : HOBE_NO_MEMORY;
 }
@@ -54,6 +57,7 @@ static void watch_energy(struct solver *s)
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
     struct jump *jump = &s->jump;
     if (s->now.iteration == 0) {
+        jump->turn = INFINITY;
         jump->work[0] = work_along(s);
         solver_move(s, s->x, 0.5);
         solver_evaluate(s, s->factor, NO_TANGENT);
@@ -61,7 +65,7 @@ static void watch_energy(struct solver *s)
         memcpy(s->u, s->start, size);
     } else if (s->now.iteration == 1) {
         const double k = -jump->work[0], a = 8 * jump->work[1] + 4 * k - work_along(s);
-        jump->turn = a < 0 ? -k / (2 * a) : INFINITY;
+        jump->turn = k > 0 && a < 0 ? -k / (2 * a) : INFINITY;
         jump->suspected |= jump->turn < 1;
     }
 }
@@ -72,7 +76,7 @@ void jump_watch(struct solver *s)
     struct hobe_error err; /* there is none, of fronts */
     if (s->now.iteration == 0)
         memcpy(s->jump.first, s->x, (size_t)(3 * s->model->unknowns) * sizeof *s->x);
-    if (!s->jump.verifying)
+    if (!s->jump.verifying && !s->jump.driven)
         watch_energy(s);
     if (s->factored == FRONTS)
         solver_negative(s, &negative, &err);
@@ -101,7 +105,7 @@ static double disproportion(const struct solver *s)
             size += pow(du / D, 2);
         }
     }
-    return error > 0 ? sqrt(error / size) : 0;
+    return size > 0 ? sqrt(error / size) : 0;
 }
 
 /* Goes along the path from s->start, at the factor *reached, by plain iterations towards `to`. */
@@ -109,8 +113,8 @@ static enum outcome follow(struct solver *s, double step, double to, double *rea
                            struct hobe_error *err)
 {
     const size_t size = (size_t)(3 * s->model->vectors) * sizeof *s->u;
-    const double tolerance = s->options.tolerance;
-    while (*reached < to && step > fmax(NO_STEP * *reached, LEAST_STEP)) {
+    const double tolerance = s->options.tolerance, whole = to - *reached;
+    while (*reached < to && step > fmax(fmin(NO_STEP * *reached, NO_SHARE * whole), LEAST_STEP)) {
         const double left = to - *reached, next = step < left ? *reached + step : to;
         s->options.tolerance = fmax(tolerance, TOLERANCE * fmin(step, left));
         memcpy(s->u, s->start, size);
@@ -135,7 +139,8 @@ enum outcome jump_verify(struct solver *s, double from, double to, struct hobe_e
 {
     const size_t size = (size_t)(3 * s->model->vectors);
     const int iterations = s->options.max_iterations;
-    const double step = (to - from) * fmin(FIRST * fmin(1, s->jump.turn), AIM / disproportion(s));
+    const double share = fmin(LARGEST * fmin(1, s->jump.turn), AIM / disproportion(s));
+    const double step = (to - from) * fmax(share, SMALLEST);
     double reached = from, *found = hobe_alloc(size, sizeof *found, err);
     if (!found)
         return ERROR;

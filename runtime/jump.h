@@ -22,12 +22,13 @@
 struct solver;
 
 struct jump {
-    double *first;  /* [unknowns] the first correction of the last step */
+    double *first;  /* [unknowns] the first correction of the last step; NULL: nothing is watched */
     double work[2]; /* of the residual along it, before it and half-way, J */
-    double turn;    /* the share of the load of the step at which the path would turn by a */
-    long negative;  /* eigenvalues of the tangent at the start of the step */
-    int suspected;  /* since that was cleared */
-    int verifying;
+    double turn;   /* the share of the load of the step at which the path would turn by its start */
+    long negative; /* eigenvalues of the tangent at the start of the step */
+    int suspected; /* since that was cleared */
+    int driven;    /* by joints, which do work, too: the turn is not known */
+    int verifying; /* the iterations are those of small steps */
 };
 
 enum hobe_status jump_open(struct solver *s, struct hobe_error *err);

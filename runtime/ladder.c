@@ -417,7 +417,7 @@ static void draw_front(struct ladder *ladder)
 enum hobe_status ladder_climb(const struct ladder_options *options, struct ladder *ladder,
                               struct hobe_error *err)
 {
-    struct ladder_record record;
+    struct ladder_record record = {0};
     *ladder = (struct ladder){0};
     enum hobe_status status = ask(options, ladder, &record, err);
     status = status ? status : run_rounds(options, ladder, err);

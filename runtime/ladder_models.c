@@ -103,15 +103,15 @@ static enum hobe_status read_groups(const struct ladder_record *record, int quic
 
 /* ---- models of any case --------------------------------------------------------------------- */
 
-enum { ELEMENT, ELEMENTS, INTEGRATION, MODEL, PARTS };
+enum part { ELEMENT, ELEMENTS, INTEGRATION, MODEL, PARTS };
 const char *const ladder_model_axis[] = {"element", "elements", "integration", "--model", NULL};
 
-static int part_of(const char *name)
+static enum part part_of(const char *name)
 {
     int p = 0;
     while (p < PARTS && strcmp(ladder_model_axis[p], name))
         p++;
-    return p;
+    return (enum part)p;
 }
 
 /* The ladder of a case that says none: all elements, on meshes from one of them on. */
@@ -141,22 +141,34 @@ static enum hobe_status make_usual(int quick, struct ladder *ladder, struct hobe
     return status;
 }
 
+/* The elements that a value of an axis says, or 0. */
+static double count_elements(enum part part, const char *value)
+{
+    const char *colon = strchr(value, ':');
+    if (part == ELEMENTS)
+        return ladder_number(value);
+    return part == MODEL && colon ? strtod(colon + 1, NULL) : 0;
+}
+
 double ladder_most(const struct ladder *ladder)
 {
     double most = 0;
     for (int g = 0; g < ladder->groups; g++)
         for (int a = 0; a < ladder->group[g].axes; a++) {
             const struct ladder_axis *axis = &ladder->group[g].axis[a];
-            const int part = part_of(axis->name);
-            for (int i = 0; i < axis->values; i++) {
-                const char *colon = strchr(axis->value[i], ':');
-                if (part == ELEMENTS)
-                    most = fmax(most, ladder_number(axis->value[i]));
-                else if (part == MODEL && colon)
-                    most = fmax(most, strtod(colon + 1, NULL));
-            }
+            for (int i = 0; i < axis->values; i++)
+                most = fmax(most, count_elements(part_of(axis->name), axis->value[i]));
         }
     return most;
+}
+
+static int has_axis(const struct ladder *ladder, const char *name)
+{
+    for (int g = 0; g < ladder->groups; g++)
+        for (int a = 0; a < ladder->group[g].axes; a++)
+            if (!strcmp(ladder->group[g].axis[a].name, name))
+                return 1;
+    return 0;
 }
 
 /* ---- rungs ---------------------------------------------------------------------------------- */
@@ -169,34 +181,31 @@ static const char *choose(const struct ladder_group *group, long number, int a)
     return group->axis[a].value[number % group->axis[a].values];
 }
 
-/* The words of that combination. */
-static void say_model(const struct ladder_group *group, long number, int by_model,
+/* The words of that combination; `usual`: parts of a model are one word. */
+static void say_model(const struct ladder_group *group, long number, int usual,
                       struct hobe_text *words)
 {
     const char *part[PARTS] = {NULL};
     for (int a = 0; a < group->axes; a++) {
         const char *name = group->axis[a].name, *value = choose(group, number, a);
-        const int p = by_model ? part_of(name) : PARTS;
+        const enum part p = usual ? part_of(name) : PARTS;
         if (p < PARTS)
             part[p] = value;
         else
             hobe_text_add(words, "%s%s=%s", words->size > 0 ? " " : "", name, value);
     }
-    if (!by_model)
+    if (!usual)
         return;
-    hobe_text_add(words, "%s--model=", words->size > 0 ? " " : "");
-    if (part[MODEL])
-        hobe_text_add(words, "%s", part[MODEL]);
-    else
-        hobe_text_add(words, "%s:%s", part[ELEMENT], part[ELEMENTS]);
-    if (part[INTEGRATION] && strcmp(part[INTEGRATION], "exact"))
+    hobe_text_add(words, "%s--model=%s:%s", words->size > 0 ? " " : "", part[ELEMENT],
+                  part[ELEMENTS]);
+    if (strcmp(part[INTEGRATION], "exact"))
         hobe_text_add(words, ":%s", part[INTEGRATION]);
 }
 
 /* What a model is drawn as, and how long that is. */
 static const char *find_kind(const char *model, size_t *size)
 {
-    static const char *const before[] = {"element=", "--model=", "="};
+    static const char *const before[] = {"--model=", "element=", "="};
     const char *found = NULL, *start = model;
     for (int i = 0; !found && i < 3; i++)
         if ((found = strstr(model, before[i])))
@@ -217,7 +226,8 @@ static enum hobe_status add_rung(const struct ladder_group *group, long number,
                                  struct ladder *ladder, struct hobe_error *err)
 {
     struct hobe_text words = {0};
-    say_model(group, number, ladder->by_model, &words);
+    say_model(group, number, ladder->by_model && !has_axis(ladder, ladder_model_axis[MODEL]),
+              &words);
     enum hobe_status status = hobe_text_check(&words, err);
     if (!status && !is_there(ladder, words.at)) {
         size_t size;
@@ -255,15 +265,6 @@ static enum hobe_status add_rungs(const struct ladder_group *group, struct ladde
     for (long number = 0; !status && number < models; number++)
         status = add_rung(group, number, ladder, err);
     return status;
-}
-
-static int has_axis(const struct ladder *ladder, const char *name)
-{
-    for (int g = 0; g < ladder->groups; g++)
-        for (int a = 0; a < ladder->group[g].axes; a++)
-            if (!strcmp(ladder->group[g].axis[a].name, name))
-                return 1;
-    return 0;
 }
 
 /* An axis from the command line: of every group, or common to all. */

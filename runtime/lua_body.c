@@ -107,8 +107,7 @@ int hobe_lua_read_body_point(lua_State *L, int index, const char *method, double
 const struct hobe_lua_entry hobe_lua_body_entries[] = {
     {"body", body,
      "hobe.body{name =, mass =, centre =, inertia =, axis =, second =} or hobe.body{name =, shape "
-     "=, "
-     "..., density =, centre =}",
+     "=, ..., density =, centre =}",
      "A rigid body, in natural coordinates: its centre of mass and three directions.  Joints, "
      "supports, forces and moments name it as they name a beam.",
      &body_schema, NULL},

@@ -34,11 +34,18 @@ static void print_range(FILE *to, const struct hobe_lua_key *key)
         fprintf(to, "%s %g", key->bounds & KEY_UPPER_OPEN ? "<" : "<=", key->upper);
 }
 
+/* A number that its key would refuse stands for one that was left out. */
+static int has_default(const struct hobe_lua_key *key)
+{
+    return (key->type == KEY_NUMBER || key->type == KEY_WHOLE) && !isnan(key->fallback) &&
+           hobe_lua_is_within(key, key->fallback);
+}
+
 static void print_default(FILE *to, const struct hobe_lua_key *key)
 {
     if (key->flags & KEY_REQUIRED)
         fputs("required", to);
-    else if ((key->type == KEY_NUMBER || key->type == KEY_WHOLE) && !isnan(key->fallback))
+    else if (has_default(key))
         fprintf(to, "%g", key->fallback);
     else if (key->word)
         fprintf(to, "\"%s\"", key->word);
@@ -86,7 +93,9 @@ void hobe_lua_print_docs(FILE *to)
 {
     fputs("# The Lua module hobe\n\n"
           "Printed by `hobe docs` from the records that check the arguments.  SI units; angles in "
-          "radians.\n`[1]` means that a value may stand first, without its name.\n",
+          "radians.\n`[1]` means that a value may stand first, without its name.  What is wrong "
+          "or unknown raises\nan error: one sentence with file and line that says what would be "
+          "right.\n",
           to);
     for (const struct hobe_lua_chapter *chapter = hobe_lua_chapters; chapter->title; chapter++) {
         fprintf(to, "\n## %s\n", chapter->title);

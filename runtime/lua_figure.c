@@ -117,7 +117,7 @@ static const struct hobe_lua_key series_keys[] = {
     KEY(struct series, style, KEY_CHOICE, .choices = "line|points|linespoints", .word = "line",
         .doc = "how it is drawn"),
     KEY(struct series, colour, KEY_WHOLE, KEY_WITHIN(0, 1000), .fallback = -1,
-        .doc = "0 black, 1, 2, ... of a palette; -1: by its place among the series"),
+        .doc = "0 black, 1, 2, ... of a palette; by its place among the series where left out"),
     {0}};
 
 static const struct hobe_lua_schema series_schema = {"series", series_keys};

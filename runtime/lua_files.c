@@ -46,7 +46,8 @@ static struct hobe_lua_file *add_file(lua_State *L, const char *name, const char
 static int is_reserved(const char *name)
 {
     return !strcmp(name, "report.json") || !strcmp(name, "report.csv") ||
-           !strcmp(name, "newton.csv") || !strcmp(name, "motion.csv") || !strcmp(name, "report-notes.txt");
+           !strcmp(name, "newton.csv") || !strcmp(name, "motion.csv") ||
+           !strcmp(name, "report-notes.txt");
 }
 
 /* Raises when a file may not be staged under this name. */

@@ -75,7 +75,8 @@ struct joint {
 static const struct hobe_lua_key support_keys[] = {
     JOINT("beam", beam[0], KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam or body"),
     JOINT("at", at[0], KEY_NUMBER, KEY_WITHIN(0, 1),
-          .doc = "place on the beam, as a fraction of its length; a body has a point instead"),
+          .doc = "place on the beam, as a fraction of its length; not to be left out, but of a "
+                 "body, which has a point instead"),
     JOINT("to", to, KEY_VECTOR, .unit = "m",
           .doc = "of a support that keeps a distance: the point of the ground from which"),
     JOINT_KEYS};

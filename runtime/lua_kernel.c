@@ -147,14 +147,17 @@ const struct hobe_lua_entry hobe_lua_kernel_methods[] = {
      "node 2, `r_w3x` of the warping vector.",
      NULL, NULL},
     {"reference", reference, "k:reference()",
-     "The 3N nodal coordinates before deformation: along X from the origin, section axes Y and Z.",
+     "The 3N nodal coordinates before deformation: along X from the origin, section axes Y and Z; "
+     "of positions in m.",
      NULL, NULL},
-    {"mass", mass, "k:mass()", "The mass matrix, a list of 3N rows.", NULL, NULL},
+    {"mass", mass, "k:mass()", "The mass matrix, a list of 3N rows; of positions in kg.", NULL,
+     NULL},
     {"energy", energy, "k:energy(q)", "Strain energy, J, at the 3N nodal coordinates q.", NULL,
      NULL},
-    {"force", force, "k:force(q)", "Elastic force dU/dq, 3N numbers.", NULL, NULL},
-    {"tangent", tangent, "k:tangent(q)", "Tangent stiffness d2U/dq2, a list of 3N rows.", NULL,
+    {"force", force, "k:force(q)", "Elastic force dU/dq, 3N numbers; of positions in N.", NULL,
      NULL},
+    {"tangent", tangent, "k:tangent(q)",
+     "Tangent stiffness d2U/dq2, a list of 3N rows; of positions in N/m.", NULL, NULL},
     {0}};
 
 /* ---- the element ---------------------------------------------------------------------------- */

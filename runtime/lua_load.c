@@ -12,7 +12,8 @@
     KEY(owner, beam, KEY_TEXT, REQUIRED, .position = 1, .doc = "name of the beam or body")
 #define PART_PLACE(owner)                                                                          \
     KEY(owner, at, KEY_NUMBER, KEY_WITHIN(0, 1),                                                   \
-        .doc = "place on the beam, as a fraction of its length")
+        .doc =                                                                                     \
+            "place on the beam, as a fraction of its length; not to be left out, but of a body")
 
 static const struct hobe_lua_key force_keys[] = {
     PART_NAME(struct hobe_force),
@@ -23,7 +24,7 @@ static const struct hobe_lua_key force_keys[] = {
                  .doc = "the force {x, y, z}, global axes; or `function(t, x, v) return {x, y, z} "
                         "end`, smooth, of the time, the position of its place, {x, y, z}, m, and "
                         "its velocity, m/s, which is 0 in statics"),
-    KEY_OF_OTHER("derivative", "function", .unit = "N/m",
+    KEY_OF_OTHER("derivative", "function", .unit = "N/m, N s/m",
                  .doc = "of such a function: `function(t, x, v) return dF_dx, dF_dv end`, lists of "
                         "three rows, the second where it is not 0; differences where left out"),
     KEY(struct hobe_force, follower, KEY_FLAG,
@@ -154,7 +155,8 @@ static const struct hobe_lua_key motion_keys[] = {
         .doc = "of the point `about`, {x, y, z}"),
     KEY(struct hobe_motion, angular_velocity, KEY_VECTOR, .unit = "rad/s",
         .doc = "about that point, {x, y, z}"),
-    KEY(struct hobe_motion, about, KEY_VECTOR, .unit = "m", .doc = "a point, {x, y, z}"),
+    KEY(struct hobe_motion, about, KEY_VECTOR, .unit = "m",
+        .doc = "a point, {x, y, z}; {0, 0, 0} where left out"),
     {0}};
 
 static const struct hobe_lua_schema motion_schema = {"motion", motion_keys};
@@ -176,8 +178,8 @@ const struct hobe_lua_entry hobe_lua_load_entries[] = {
     {"moment", moment, "hobe.moment{\"beam\", at =, value = {x, y, z}}",
      "A moment, conservative.  Resolved on the beam's axes in the reference, (m_x, m_y, m_z), its "
      "potential is -m_x (a + b)/2 - m_y c - m_z d: a and b the angles of the section's slopes y "
-     "and "
-     "z about x, c that of slope z about y, d that of slope y about z; of a body its global axes "
+     "and z about x, c that of slope z about y, d that of slope y about z; of a body its global "
+     "axes "
      "and its directions that are Y and Z in the reference.",
      &moment_schema, NULL},
     {"gravity", gravity, "hobe.gravity{0, 0, -9.81}",

@@ -152,15 +152,20 @@ static const char *push_bounds(lua_State *L, const struct hobe_lua_key *key)
     return lua_pushstring(L, words);
 }
 
+int hobe_lua_is_within(const struct hobe_lua_key *key, double x)
+{
+    const int low = (key->bounds & KEY_LOWER) &&
+                    (key->bounds & KEY_LOWER_OPEN ? x <= key->lower : x < key->lower);
+    const int high = (key->bounds & KEY_UPPER) &&
+                     (key->bounds & KEY_UPPER_OPEN ? x >= key->upper : x > key->upper);
+    return !low && !high;
+}
+
 static double read_bounded(lua_State *L, int index, const char *what,
                            const struct hobe_lua_key *key)
 {
     double x = hobe_lua_number(L, index, what);
-    int low = (key->bounds & KEY_LOWER) &&
-              (key->bounds & KEY_LOWER_OPEN ? x <= key->lower : x < key->lower);
-    int high = (key->bounds & KEY_UPPER) &&
-               (key->bounds & KEY_UPPER_OPEN ? x >= key->upper : x > key->upper);
-    if (low || high)
+    if (!hobe_lua_is_within(key, x))
         fail_type(L, index, what, push_bounds(L, key));
     return x;
 }

@@ -107,6 +107,9 @@ double hobe_lua_number(lua_State *L, int index, const char *what);
 /* A string on one line of valid UTF-8 at `index`, or a sentence about `what`. */
 const char *hobe_lua_text(lua_State *L, int index, const char *what);
 
+/* Whether a key's bounds allow the number x. */
+int hobe_lua_is_within(const struct hobe_lua_key *key, double x);
+
 /* The number of items of the list at the absolute `index`; a sentence where keys are not 1..n. */
 size_t hobe_lua_list_size(lua_State *L, int index, const char *what);
 

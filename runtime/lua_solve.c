@@ -321,9 +321,8 @@ const struct hobe_lua_entry hobe_lua_solve_entries[] = {
      "is found with the displacements.  Returns a list of results, `p[i].load` the load factor of "
      "the i-th and `p[i].negative` its negative eigenvalues; and in it `ended`, what ended it: "
      "`\"load\"`, `\"displacement\"` or `\"steps\"`; `iterations`, `factorisations`, `cutbacks`, "
-     "`solve_seconds`; "
-     "and "
-     "`limit_points` and `bifurcations`, lists of tables: `load`, the factor there; `from` and "
+     "`solve_seconds`; and `limit_points` and `bifurcations`, lists of tables: `load`, the factor "
+     "there; `from` and "
      "`to`, those of the points before and after; `after`, the number of the point before; "
      "`change`, of the negative eigenvalues.  They are said in notes, too.  At a bifurcation the "
      "path goes on straight.",

@@ -392,7 +392,7 @@ static void explain_plans(struct hobe_text *text, const struct hobe_kernel *k)
 /* What it runs on where the section drops modes. */
 static void explain_within(struct hobe_text *text, const struct hobe_kernel *k)
 {
-    const char *before = "where the section drops other modes, it runs on, and costs as much as, ";
+    const char *before = "on a section that drops its other modes it is, and costs no more than, ";
     for (int i = 0; hobe_kernels()[i]; i++)
         if (kernel_within(hobe_kernels()[i], k)) {
             hobe_text_add(text, "%s%s", before, hobe_kernels()[i]->name);

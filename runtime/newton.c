@@ -10,7 +10,6 @@
 #include "inertia.h"
 #include "load.h"
 #include "mass.h"
-#include "parts.h"
 #include "pattern.h"
 #include "reduction.h"
 #include "snapshot_modes.h"
@@ -421,7 +420,7 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
             return err ? err->status : HOBE_NO_MEMORY;
         s->jump.suspected = 0;
         enum outcome outcome = attempt(s, target, err);
-        if (outcome == CONVERGED && s->jump.suspected)
+        if (outcome == CONVERGED && s->jump.first && s->jump.suspected)
             outcome = jump_verify(s, reached, target, err);
         fresh = outcome == CONVERGED;
         if (outcome == ERROR)
@@ -443,22 +442,6 @@ static enum hobe_status run_steps(struct solver *s, struct hobe_error *err)
 }
 
 /* ---- a start from another solution ----------------------------------------------------------- */
-
-/* The start, unless NULL, must be a state of the model or of one with the same unknowns. */
-static enum hobe_status check_start(const hobe_model *model, const hobe_solution *start,
-                                    struct hobe_error *err)
-{
-    const struct reduction *reduction = model->reduction;
-    if (!start ||
-        (reduction ? start->reduced == reduction->of && start->coordinates == model->vectors
-                   : model_same_shape(model, start->model)))
-        return HOBE_OK;
-    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                     "start must be a result of this scene or of one of the same shape (the same "
-                     "elements, joins and supports in the same order): it has %ld unknowns, here "
-                     "are %ld",
-                     3 * start->model->unknowns, 3 * model->unknowns);
-}
 
 /* Newton at the full load from the start that is given, in one step; FAILED leaves the reference.
  */
@@ -662,7 +645,7 @@ static enum hobe_status find(struct solver *s, struct hobe_error *err)
 {
     if (s->options.linear)
         return respond(s, err);
-    if (jump_open(s, err))
+    if (!s->options.projection && jump_open(s, err))
         return HOBE_NO_MEMORY;
     const enum outcome outcome = s->options.start ? attempt_start(s, err) : FAILED;
     if (outcome == ERROR)
@@ -715,21 +698,4 @@ enum hobe_status newton_static(hobe_model *model, const struct hobe_newton *opti
         status = check_trust(model, solution, err);
     solver_close(&s);
     return status;
-}
-
-enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
-                             hobe_solution **solution, struct hobe_error *err)
-{
-    *solution = NULL;
-    enum hobe_status status = hobe_model_build(model, err);
-    if (!status)
-        status = model_check_held(model, err);
-    if (!status && !options->linear)
-        status = check_start(model, options->start, err);
-    if (status)
-        return status;
-    /* a linear answer takes one factorisation anyway, and fields of a projection may be in all */
-    const int apart =
-        !model->reduction && model->parts->count > 1 && !options->linear && !options->projection;
-    return (apart ? parts_static : newton_static)(model, options, solution, err);
 }

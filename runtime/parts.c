@@ -7,6 +7,7 @@
 #include "newton.h"
 #include "numbering.h"
 #include "pattern.h"
+#include "reduction.h"
 #include "solution.h"
 #include "spring.h"
 
@@ -60,8 +61,8 @@ static void number_parts(const hobe_model *model, const size_t *group, int *numb
     }
 }
 
-/* A body is coupled by ties to all it is coupled with, and a spin takes all beams: those scenes
- * are one problem. */
+/* A spin acts on all beams by one matrix, and a body knows its own tie by its number: scenes with
+ * either stay one problem. */
 static enum hobe_status find(hobe_model *model, struct parts *parts, struct hobe_error *err)
 {
     const size_t beams = model->beams.count;
@@ -356,8 +357,8 @@ static enum hobe_status solve(hobe_model *part, const struct hobe_newton *option
     return name_part(part, status, err);
 }
 
-enum hobe_status parts_static(hobe_model *model, const struct hobe_newton *options,
-                              hobe_solution **solution, struct hobe_error *err)
+static enum hobe_status solve_all(hobe_model *model, const struct hobe_newton *options,
+                                  hobe_solution **solution, struct hobe_error *err)
 {
     const double started = hobe_seconds();
     struct hobe_solution_info info = {
@@ -373,4 +374,37 @@ enum hobe_status parts_static(hobe_model *model, const struct hobe_newton *optio
     }
     hobe_free(u);
     return status;
+}
+
+/* The start, unless NULL, must be a state of the model or of one with the same unknowns. */
+static enum hobe_status check_start(const hobe_model *model, const hobe_solution *start,
+                                    struct hobe_error *err)
+{
+    const struct reduction *reduction = model->reduction;
+    if (!start ||
+        (reduction ? start->reduced == reduction->of && start->coordinates == model->vectors
+                   : model_same_shape(model, start->model)))
+        return HOBE_OK;
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                     "start must be a result of this scene or of one of the same shape (the same "
+                     "elements, joins and supports in the same order): it has %ld unknowns, here "
+                     "are %ld",
+                     3 * start->model->unknowns, 3 * model->unknowns);
+}
+
+enum hobe_status hobe_static(hobe_model *model, const struct hobe_newton *options,
+                             hobe_solution **solution, struct hobe_error *err)
+{
+    *solution = NULL;
+    enum hobe_status status = hobe_model_build(model, err);
+    if (!status)
+        status = model_check_held(model, err);
+    if (!status && !options->linear)
+        status = check_start(model, options->start, err);
+    if (status)
+        return status;
+    /* a linear answer takes one factorisation anyway, and fields of a projection may be in all */
+    const int apart =
+        !model->reduction && model->parts->count > 1 && !options->linear && !options->projection;
+    return (apart ? solve_all : newton_static)(model, options, solution, err);
 }

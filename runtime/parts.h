@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of a scene that nothing couples: each is a problem of its own.
  *
- * Beams that share an unknown vector, a joint or a spring are in one part.  The tangent of the
+ * Beams that share a vector, a joint or a spring are in one part.  The tangent of the
  * whole is block diagonal in the parts, whatever the state, and so each has its own equilibrium;
- * solved by itself it takes no shorter steps, and no more iterations, than it would alone. */
+ * solved by itself it takes no shorter steps, and no more iterations, than it would alone.
+ * hobe_static begins here. */
 #ifndef HOBE_PARTS_H
 #define HOBE_PARTS_H
 
@@ -19,11 +20,5 @@ struct parts {
 /* Finds the parts of a model that is numbered, and notes where they are more than one. */
 enum hobe_status parts_find(hobe_model *model, struct hobe_error *err);
 void parts_free(struct parts *parts);
-
-/* Equilibrium of each part in turn, as hobe_static has it of a scene of one.  Of what `info` has of
- * them the solution gets the sum of factorisations, energies and negative eigenvalues, and of all
- * else what the worst part has. */
-enum hobe_status parts_static(hobe_model *model, const struct hobe_newton *options,
-                              hobe_solution **solution, struct hobe_error *err);
 
 #endif

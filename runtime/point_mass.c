@@ -54,7 +54,8 @@ void point_mass_matrix(const struct hobe_model *model, const struct point_mass *
         for (int w = 0; w < place.beam->kernel->vectors; w++) {
             double block[3][3];
             times3(mass->spec.mass * mass->weight[v] * mass->weight[w], A, block);
-            pattern_add_element(model, place.beam, place.element, v, w, (const double(*)[3])block, K);
+            pattern_add_element(model, place.beam, place.element, v, w, (const double(*)[3])block,
+                                K);
         }
 }
 

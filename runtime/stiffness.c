@@ -6,7 +6,7 @@
  * exactly, so its tangent at rest, projected on these fields, gives a small quadratic form; with
  * the constants c_k free it leaves the beam's own stiffness against the four strains of the axis.
  */
-#include "hobe.h"
+#include "element_parts.h"
 
 #include <string.h>
 
@@ -66,21 +66,21 @@ static int set_fields(const hobe_element *element, double *fields)
     return count;
 }
 
-/* Q = F K F' / length for the rows F[count][n]; force[n] is scratch. */
+/* Q = F K F' / length for the rows F[count][n], each of which is zero but for the vectors of a mode
+ * or two, and a symmetric K; force[n] is scratch. */
 static void project(double length, int n, const double *K, const double *F, int count,
                     double *force, double *Q)
 {
     for (int j = 0; j < count; j++) {
-        for (int a = 0; a < n; a++) {
-            force[a] = 0;
-            for (int b = 0; b < n; b++)
-                force[a] += K[a * n + b] * F[j * n + b];
-        }
-        for (int i = 0; i < count; i++) {
+        memset(force, 0, (size_t)n * sizeof *force);
+        for (int b = 0; b < n; b++)
+            for (int a = 0; a < n && F[j * n + b] != 0; a++)
+                force[a] += F[j * n + b] * K[b * n + a];
+        for (int i = 0; i <= j; i++) {
             double sum = 0;
             for (int a = 0; a < n; a++)
                 sum += F[i * n + a] * force[a];
-            Q[i * count + j] = sum / length;
+            Q[i * count + j] = Q[j * count + i] = sum / length;
         }
     }
 }
@@ -103,30 +103,37 @@ static void relax(double *Q, int count, double C[HOBE_STRAINS][HOBE_STRAINS])
         memcpy(C[i], Q + i * count, sizeof C[i]);
 }
 
+enum hobe_status element_stiffness(const hobe_element *element, const double *K,
+                                   double C[HOBE_STRAINS][HOBE_STRAINS], struct hobe_error *err)
+{
+    const struct hobe_kernel *k = hobe_element_kernel(element);
+    const int n = 3 * k->vectors, most = HOBE_STRAINS + 3 * k->modes;
+    double *force = hobe_alloc((size_t)n, sizeof *force, err);
+    double *fields = hobe_alloc((size_t)(most * n), sizeof *fields, err);
+    double *Q = hobe_alloc((size_t)(most * most), sizeof *Q, err);
+    const enum hobe_status status = force && fields && Q ? HOBE_OK : HOBE_NO_MEMORY;
+    if (!status) {
+        const int count = set_fields(element, fields);
+        project(hobe_element_invariants(element)->length, n, K, fields, count, force, Q);
+        relax(Q, count, C);
+    }
+    hobe_free(force);
+    hobe_free(fields);
+    hobe_free(Q);
+    return status;
+}
+
 enum hobe_status hobe_element_stiffness(const hobe_element *element,
                                         double C[HOBE_STRAINS][HOBE_STRAINS],
                                         struct hobe_error *err)
 {
-    static const double identity[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const struct hobe_kernel *k = hobe_element_kernel(element);
-    const int n = 3 * k->vectors, most = HOBE_STRAINS + 3 * k->modes;
-    double *q = hobe_alloc((size_t)n, sizeof *q, err);
-    double *K = hobe_alloc((size_t)(n * n), sizeof *K, err);
-    double *fields = hobe_alloc((size_t)(most * n), sizeof *fields, err);
-    double *Q = hobe_alloc((size_t)(most * most), sizeof *Q, err);
-    enum hobe_status status = q && K && fields && Q ? HOBE_OK : HOBE_NO_MEMORY;
-    if (!status) {
-        hobe_element_reference(element, identity, q);
-        status = hobe_element_tangent(element, q, q, K, err);
-    }
-    if (!status) {
-        const int count = set_fields(element, fields);
-        project(hobe_element_invariants(element)->length, n, K, fields, count, q, Q);
-        relax(Q, count, C);
-    }
-    hobe_free(q);
+    const size_t n = 3 * (size_t)hobe_element_kernel(element)->vectors;
+    double *K = hobe_alloc(n * n, sizeof *K, err);
+    if (!K)
+        return HOBE_NO_MEMORY;
+    enum hobe_status status = element_tangent_at_rest(element, K, err);
+    if (!status)
+        status = element_stiffness(element, K, C, err);
     hobe_free(K);
-    hobe_free(fields);
-    hobe_free(Q);
     return status;
 }

@@ -231,6 +231,7 @@ run 0 elements
 has stdout '^MGD30w +3 +39 +5 +[0-9]+ +average +1 y z w$'
 run 0 elements --explain MGD30w
 has stdout 'node 3 \(x/l = 1\): value of the coefficient of w'
+has stdout '^on a section that drops its other modes it is, and costs no more than, MGD30$'
 has stdout 'tensor 3713 \(taken\), 20165 \(taken\) at 1.5, 1.8 times the speed'
 run 0 elements --explain 34X3    # which its tensor makes hardly faster
 has stdout 'straight, symmetric in y and z: section [0-9]+ \(taken\), [0-9]+ \(taken\); tensor [0-9]+, [0-9]+ at'

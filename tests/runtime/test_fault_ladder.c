@@ -129,6 +129,94 @@ static void test_ladder(int known)
     ladder_free(&ladder);
 }
 
+/* ---- a case that says no ladder ------------------------------------------------------------- */
+
+/* What its report expects of Q: nothing, the truth to one percent, or what the model has. */
+enum expected { NOTHING, TRUTH, MODEL };
+struct plain {
+    struct formula formula;
+    enum expected expected;
+    int fails; /* models of MGD30d2 */
+};
+
+static enum hobe_status run_plain(void *context, const char *words, int ask,
+                                  struct ladder_record *record, struct hobe_text *why,
+                                  double *seconds, struct hobe_error *err)
+{
+    const struct plain *plain = context;
+    const struct formula *f = &plain->formula;
+    struct hobe_text text = {0};
+    char name[20] = "3333";
+    int n = 1;
+    *seconds = 1;
+    if (!ask && sscanf(words, "--model=%19[^:]:%d", name, &n) != 2)
+        check_that(0, "a model is --model=ELEMENT:ELEMENTS, not %s", words);
+    const double value = solve(f, name[0] == '3' ? 0 : !strcmp(name, "MGD30w") ? 1 : 2, n);
+    if (plain->fails && !strcmp(name, "MGD30d2"))
+        hobe_text_add(why, "no");
+    hobe_text_add(&text, "value\tQ\tm\t%a\t%a\t%a\ncost\t1\t1\t%d\nend\n", value,
+                  plain->expected == TRUTH   ? f->truth
+                  : plain->expected == MODEL ? value
+                                             : NAN,
+                  plain->expected ? 0.01 : NAN, n);
+    enum hobe_status status = hobe_text_check(&text, err);
+    status = status ? status : ladder_record_read(text.at, text.size, record, err);
+    hobe_text_free(&text);
+    return status;
+}
+
+static char name_3333[] = "3333", name_MGD30w[] = "MGD30w", one[] = "1", two[] = "2", three[] = "3";
+static char element_axis[] = "element", elements_axis[] = "elements", other_axis[] = "P";
+static char *elements_given[] = {name_3333, name_MGD30w}, *meshes_given[] = {one, two},
+            *other_given[] = {three};
+static const struct ladder_axis given[] = {{element_axis, 2, elements_given},
+                                           {elements_axis, 2, meshes_given},
+                                           {other_axis, 1, other_given}};
+
+static void test_plain(enum expected expected, int fails, int common)
+{
+    struct plain plain = {draw(0), expected, fails};
+    const struct ladder_options options = {
+        .given = 2 + common, .axis = given, .run = run_plain, .context = &plain};
+    struct ladder ladder;
+    struct hobe_error err;
+    if (ladder_climb(&options, &ladder, &err))
+        check_stop("the ladder of a plain case is not climbed: %s", err.message);
+    check_that(ladder.rungs == 4, "%d rungs", ladder.rungs);
+    const int known = expected == TRUTH && !common;
+    check_that((ladder.reference.model[1] == NULL) == known,
+               "a converged run where nothing is known");
+    if (!known)
+        check_that(
+            !strcmp(ladder.reference.model[1], fails ? "--model=MGD30d:8" : "--model=MGD30d2:8"),
+            "%s is the reference", ladder.reference.model[1]);
+    const double truth = known ? plain.formula.truth : solve(&plain.formula, 2, 8);
+    check_relative(ladder.quantity[0].truth, truth, 1e-14, "the truth of a plain case");
+    check_absolute(ladder.quantity[0].doubt, known ? 0.01 : 0, 1e-14, "its doubt");
+    for (int i = 0; i < ladder.rungs; i++) {
+        const struct ladder_rung *rung = &ladder.rung[i];
+        int n = 0;
+        char name[20] = "";
+        sscanf(rung->model, "--model=%19[^:]:%d", name, &n);
+        check_that(!strcmp(name, rung->kind), "%s is drawn as %s", rung->model, rung->kind);
+        const double error = fabs(solve(&plain.formula, name[0] == 'M', n) / truth - 1);
+        check_relative(rung->worst, error, 1e-10, "error of %s", rung->model);
+        check_absolute(rung->excess, fmax(0, error - (known ? 0.01 : ladder.doubt)), 1e-12,
+                       "its excess");
+    }
+    ladder_free(&ladder);
+}
+
+static enum hobe_status climb_plain(void *context, struct hobe_error *err)
+{
+    const struct ladder_options options = {
+        .given = 3, .axis = given, .run = run_plain, .context = context};
+    struct ladder ladder;
+    enum hobe_status status = ladder_climb(&options, &ladder, err);
+    ladder_free(&ladder);
+    return status;
+}
+
 /* All of it, written as text, too. */
 static enum hobe_status climb(void *context, struct hobe_error *err)
 {
@@ -150,7 +238,11 @@ int main(void)
     random_start();
     for (int i = 0; i < 20; i++)
         test_ladder(i % 2);
+    for (int i = 0; i < 12; i++)
+        test_plain((enum expected)(i % 3), i / 3 % 2, i / 6);
     struct formula f = draw(0);
     fail_each_allocation(climb, &f, 50, 3000, "a ladder");
+    struct plain plain = {f, NOTHING, 1};
+    fail_each_allocation(climb_plain, &plain, 50, 3000, "a ladder by --model");
     return check_report();
 }

@@ -122,14 +122,13 @@ static void twisted(hobe_section *section)
     static const struct {
         const char *name;
         int n;
-    } meshes[] = {{"3433w", 40}, {"BE24w", 10}, {"BE24w", 20}, {"3333w", 4},
-                  {"MGD30w", 4}, {"MGD30w", 8}, {"3433w", 2},  {"MGD30w3", 4}};
+    } meshes[] = {{"3433w", 16}, {"BE24w", 16}, {"3333w", 4}, {"MGD30w", 4}, {"3433w", 2}};
     double truth = 0;
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 5; i++) {
         struct hobe_beam beam = beam_along_x(meshes[i].name, meshes[i].n, section, E, 0.3, 5);
         hobe_model *model = cantilever(&beam, 1);
         add_moment(model, "beam", 1, 1e4, 0, 0);
-        hobe_solution *solution = solve(model, 8);
+        hobe_solution *solution = solve(model, 4);
         const double angle = twist_of(solution), share = mesh_error(solution);
         truth = i ? truth : angle;
         const double missing = 1 - angle / truth;
@@ -234,7 +233,7 @@ static void random_scene(const struct hobe_kernel *kernel)
     const int n = (int)random_real(s.shape == TAPERED ? 2 : 1, kernel->vectors > 24 ? 3 : 7);
     double share;
     const double energy = energy_on(&s, n, &share);
-    const double missing = 1 - energy / energy_on(&s, 8 * n, NULL);
+    const double missing = 1 - energy / energy_on(&s, 6 * n, NULL);
     printf("%-9s %d of L/h = %-6.3g %-10s %s, %-5s warping: misses %.2e, estimated %.2e, %.2f\n",
            kernel->name, n, s.length / SIDE, shapes[s.shape], s.moment ? "moment" : "force ",
            s.free_warping ? "free" : "fixed", missing, share, share / missing);
@@ -264,7 +263,7 @@ int main(void)
     locking(section);
     nothing_amiss(section);
     twisted(section);
-    random_scenes(10);
+    random_scenes(8);
     hobe_section_free(section);
     return check_report();
 }
