@@ -1078,12 +1078,13 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
 
 /* An estimate of how much too stiff a beam's mesh is in a state of statics, from 0 to 1: the share
  * that is missing of what the loads do to the beam, with the same element on a fine mesh for truth.
- * By what each element lacks under the nodal forces it has (enriched.h), in stretch, shear, bending,
- * torsion and any of its modes: coarse meshes, locking, warping that fades from an end.  In random
- * cantilevers it is between 0.3 and 3 times the truth, to 0.001; not in it are what loads do that
- * act inside elements, and what the reference of a curved beam itself lacks where slopes are linear.
- * It costs about an iteration of Newton, a few with many modes.  0 with mechanics `structural`,
- * whose strains count at points of their own, and with integration `paper`, which has too few. */
+ * By what each element lacks under the nodal forces it has (enriched.h), in stretch, shear,
+ * bending, torsion and any of its modes: coarse meshes, locking, warping that fades from an end. In
+ * random cantilevers it is between 0.3 and 3 times the truth, to 0.001; not in it are what loads do
+ * that act inside elements, and what the reference of a curved beam itself lacks where slopes are
+ * linear. It costs about an iteration of Newton, a few with many modes.  0 with mechanics
+ * `structural`, whose strains count at points of their own, and with integration `paper`, which has
+ * too few. */
 enum hobe_status hobe_solution_mesh_error(const hobe_solution *solution, const char *beam,
                                           double *share, struct hobe_error *err);
 
