@@ -126,6 +126,8 @@ void advise_say(const struct advice *a, struct hobe_text *text)
         hobe_text_add(text, ", %g times the step", model->step);
     hobe_text_add(text, ": error about ");
     add_loss(a, a->error, text);
+    if (a->problem->moves && isnan(a->step.size))
+        hobe_text_add(text, ", that of the step in time, which cannot be changed, left out");
 }
 
 void advise_say_evidence(const struct advice *a, struct hobe_text *text)

@@ -17,7 +17,8 @@ static struct advise_model with_step(const struct advise_model *model, double st
     return other;
 }
 
-/* Terms T(h_0/k) = Q(h_0/k) - Q(h_0), k = 1, 2, 4, ..., until their limit is known well enough. */
+/* Terms T(h_0/k) = Q(h_0/k) - Q(h_0), k = 1, 2, 4, ..., until their limit is known well enough:
+ * by three at least, as two may agree by chance. */
 static enum hobe_status find_terms(struct search *s, const struct advise_trial *taken,
                                    struct sequence *of, struct hobe_error *err)
 {
@@ -29,7 +30,7 @@ static enum hobe_status find_terms(struct search *s, const struct advise_trial *
         const enum hobe_status status = advise_try_model(s, &next, &trial, err);
         if (status || !trial)
             return status;
-        advise_add_term(s, of, STEP, parts, trial->value, s->advice->trial[at].value);
+        advise_add_term(s, of, OWN, parts, trial->value, s->advice->trial[at].value);
         if (advise_loss_of(s, of->open, NULL).size <= OPEN * s->accuracy)
             return HOBE_OK;
     }
@@ -67,7 +68,7 @@ static enum hobe_status try_steps(struct search *s, struct hobe_error *err)
         for (double step = 2; !status && better && step <= LONGEST; step *= 2)
             status = try_step(s, step, &better, err);
     else
-        for (int parts = 2; !status && better && !a->holds && parts <= FINEST; parts *= 2)
+        for (int parts = 2; !status && !a->holds && parts <= FINEST; parts *= 2)
             status = try_step(s, 1.0 / parts, &better, err);
     return status;
 }

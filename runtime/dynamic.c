@@ -153,6 +153,7 @@ static enum hobe_status take_start(struct run *run, const hobe_solution *from,
     memcpy(now->u, solution_field(from, model, SOLUTION_U), size);
     now->time = from->info.time;
     run->g.s.info.negative = from->info.negative;
+    run->g.s.info.limit_load = from->info.limit_load;
     if (!from->v)
         return set_motions(&run->g, err);
     memcpy(now->v, solution_field(from, model, SOLUTION_V), size);
@@ -250,6 +251,7 @@ static enum hobe_status begin(struct run *run, struct hobe_error *err)
     account_begin(&run->account, g);
     status = history_keep(run->history, g, &run->account, run->started, err);
     g->s.info.negative = -1; /* counted of equilibria alone */
+    g->s.info.limit_load = 0;
     return status;
 }
 

@@ -769,8 +769,9 @@ struct hobe_solution_info {
                           a motion but for the equilibrium that it starts from */
     double limit_load; /* the load factor of a limit point on the path from rest, beyond which the
                           equilibrium lies on another branch, which a load that grows comes to by a
-                          jump; 0: none was met (jump.h; not looked for from options.start,
-                          nor with a projection) */
+                          jump; also of the first state of a motion that begins there; 0: none
+                          was met (jump.h; not looked for from options.start, nor with a
+                          projection) */
     double residual;   /* of the last iteration */
     double change;  /* of the displacements by a last correction, beyond what tolerance asked for,
                        relative to their size, in the norm sum u^2 K_0 over the diagonal of the
@@ -1078,10 +1079,10 @@ enum hobe_status hobe_solution_warning(const hobe_solution *solution, const char
 /* An estimate of how much too stiff a beam's mesh is in a state of statics, from 0 to 1: the share
  * that is missing of what the loads do to the beam, with the same element on a fine mesh for truth.
  * By what each element lacks under the nodal forces it has (enriched.h), in stretch, shear, bending,
- * torsion and any of its modes: coarse meshes, locking, warping that fades from an end.  Between 0.3
- * and 3 times the truth, wherever that is more than 0.001, in random cantilevers; not in it are what
- * loads do that act inside elements, and what the reference of a curved beam itself lacks where
- * slopes are linear.  About the cost of an iteration of Newton.  0 with mechanics `structural`,
+ * torsion and any of its modes: coarse meshes, locking, warping that fades from an end.  In random
+ * cantilevers it is between 0.3 and 3 times the truth, to 0.001; not in it are what loads do that
+ * act inside elements, and what the reference of a curved beam itself lacks where slopes are linear.
+ * It costs about an iteration of Newton, a few with many modes.  0 with mechanics `structural`,
  * whose strains count at points of their own, and with integration `paper`, which has too few. */
 enum hobe_status hobe_solution_mesh_error(const hobe_solution *solution, const char *beam,
                                           double *share, struct hobe_error *err);

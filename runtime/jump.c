@@ -153,7 +153,8 @@ enum outcome jump_verify(struct solver *s, double from, double to, struct hobe_e
     s->options.max_iterations = iterations;
     if (reached < to) {
         memcpy(s->u, found, size * sizeof *found);
-        s->info.limit_load = reached;
+        if (s->info.limit_load == 0)
+            s->info.limit_load = fmax(reached, LEAST_STEP);
     }
     if (outcome == CONVERGED)
         outcome = solver_iterate(s, to, 0, err);

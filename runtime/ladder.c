@@ -172,7 +172,7 @@ static enum hobe_status check_rungs(const struct ladder *ladder, struct hobe_err
     for (int i = 0; i < ladder->rungs; i++)
         if (!ladder->rung[i].why)
             return HOBE_OK;
-    return hobe_fail(err, HOBE_BAD_INPUT, NULL, "all %d models fail, %s with: %s", ladder->rungs,
+    return hobe_fail(err, HOBE_BAD_INPUT, NULL, "no model runs; the first, %s, fails with: %s",
                      ladder->rung[0].model, ladder->rung[0].why);
 }
 

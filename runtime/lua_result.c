@@ -44,7 +44,7 @@ const struct hobe_lua_field hobe_lua_result_fields[] = {
     SOLVED("limit_load", solution.limit_load, 'd', NULL,
            "load factor of the limit point where the path from rest turns, where hobe.static found "
            "an equilibrium beyond it, which a growing load comes to by a jump, and warned of that; "
-           "0: none was met (not looked for from `start`)"),
+           "also of the first state of a motion; 0: none was met (not looked for from `start`)"),
     SOLVED("energy", solution.energy, 'd', "J", "strain energy"),
     SOLVED("smallest_volume", solution.smallest_volume, 'd', NULL,
            "smallest det F: 1 without strain, <= 0 where the beam is turned inside out"),
@@ -405,7 +405,8 @@ const struct hobe_lua_entry hobe_lua_result_methods[] = {
      NULL, NULL},
     {"mesh_error", mesh_error, "r:mesh_error(beam)",
      "An estimate of how much too stiff the beam's mesh is in statics, from 0 to 1: the share that "
-     "is missing of what the loads do to it, beside the same element on a fine mesh.  It sees coarse "
+     "is missing of what the loads do to it, beside the same element on a fine mesh.  It sees "
+     "coarse "
      "meshes and elements that lock, between 0.3 and 3 times the truth in random cantilevers; not "
      "what loads do that act inside elements; 0 of 3333s and with integration `paper`.  "
      "`hobe.static` and, at its end, `hobe.path` warn where it is 0.01 or more.",

@@ -53,8 +53,8 @@ static void warn_unstable(lua_State *L, const hobe_solution *solution, const cha
     hobe_lua_warn(L, HOBE_LUA_WARN_UNSTABLE, text);
 }
 
-/* Warns of an equilibrium that no path leads to. */
-static void warn_jumped(lua_State *L, const hobe_solution *solution)
+/* Warns of an equilibrium that no load that grows leads to along its path. */
+static void warn_jumped(lua_State *L, const hobe_solution *solution, const char *what)
 {
     struct hobe_solution_info info;
     char text[300];
@@ -62,10 +62,10 @@ static void warn_jumped(lua_State *L, const hobe_solution *solution)
     if (!(info.limit_load > 0))
         return;
     snprintf(text, sizeof text,
-             "the equilibrium is not on the path from rest, which turns at a limit point near load "
-             "factor %.4g: a load that grows jumps from there, here or elsewhere; follow the path "
-             "with hobe.path, and the jump with hobe.dynamic",
-             info.limit_load);
+             "%s lies beyond a limit point, where the path from rest turns near load factor %.4g: "
+             "a load that grows jumps from there, here or elsewhere; follow the path with "
+             "hobe.path, and the jump with hobe.dynamic",
+             what, info.limit_load);
     hobe_lua_warn(L, HOBE_LUA_WARN_JUMP, text);
 }
 
@@ -97,7 +97,7 @@ void hobe_lua_warn_equilibrium(lua_State *L, const hobe_solution *solution, cons
     warn_unstable(L, solution, "the equilibrium",
                   "there is a critical load below this one; look for it with hobe.buckling or "
                   "hobe.path, and disturb the scene a little to find where it goes");
-    warn_jumped(L, solution);
+    warn_jumped(L, solution, "the equilibrium");
 }
 
 void hobe_lua_warn_start(lua_State *L, const hobe_solution *start)
@@ -105,6 +105,7 @@ void hobe_lua_warn_start(lua_State *L, const hobe_solution *start)
     warn_unstable(L, start, "dynamic: the equilibrium at the start",
                   "what disturbs it grows, rounding too; its modes (hobe.modal with `state`) tell "
                   "how fast");
+    warn_jumped(L, start, "dynamic: the equilibrium at the start");
 }
 
 /* Warns of each beam of a model at the points of the path on top of the stack, where it gets worse.

@@ -29,7 +29,7 @@ static const char usage[] =
     "      --memory-limit MB            memory that the script may use in Lua (512)\n"
     "      --trust                      no sandbox, no limits: for scripts of your own\n"
     "      --model=ELEMENT:ELEMENTS     the same element and mesh for all scenes (and :linear,\n"
-    "                                   :paper for the paper's points of integration)\n"
+    "                                   :paper for the paper's points, :step=FACTOR in time)\n"
     "  hobe advise CASE [name=value ...] the cheapest model that holds an accuracy\n"
     "      --accuracy A                 largest relative error of a value of the report (1e-3)\n"
     "      --format table|json          how the advice is printed (table)\n"

@@ -67,6 +67,48 @@ run 0 run beam.lua choose=true
 has stdout '^accuracy 0\.01 is held by [^ ]+, 1 element: error about'
 has stdout '^elements +1'
 
+# A motion, a cantilever's tip under a force that is there at once, after one and a half of its
+# periods of 0.062 s: steps that the script has too long are cut, those too short are made longer,
+# and against a much finer model and step neither claim is missed by more than two times.
+cat >motion.lua <<'END'
+local hobe = require "hobe"
+local scene = hobe.scene{
+  hobe.beam{ name = "bar", element = "MGD30w", elements = 2,
+             section = hobe.rectangle{ width = 0.01, height = 0.02 },
+             material = { E = 210e9, nu = 0.3, rho = 7850 }, from = {0, 0, 0}, to = {1, 0, 0} },
+  hobe.clamp{ "bar", at = 0 },
+  hobe.force{ "bar", at = 1, value = {0, 0, -1} },
+}
+local d = hobe.dynamic(scene, { to = 0.09, step = hobe.param("step", 0.003), store = 0.045 })
+hobe.report{ half = { d:state(2):displacement("bar", 1)[3], "m" },
+             last = { d:state(3):displacement("bar", 1)[3], "m" } }
+END
+run 0 run motion.lua --model=MGD30w3:16:step=0.02 --format json
+cp stdout truth.json
+for step in 0.003 0.0003; do
+    run 0 advise motion.lua step=$step --accuracy 2e-2 --format json
+    python3 - $step stdout <<'END' || complain "the step chosen in place of $step is not right"
+import json, sys
+step, advice = float(sys.argv[1]), json.load(open(sys.argv[2]))
+truth = {name: v["value"] for name, v in json.load(open("truth.json"))["report"].items()}
+choice, = advice["choice"]
+assert (float(choice["model"].split("step=")[1]) < 1) == (step > 0.001), choice
+assert choice["holds"] == "yes" and choice["error"] <= 2e-2, choice
+for row in advice["values"]:
+    error = abs(row["this model"] / truth[row["value"]] - 1)
+    assert error <= 2 * 2e-2, (row, error)
+effects = {e["effect"]: e for e in advice["evidence"]}
+assert effects["a shorter step"]["loss without it"] <= 2e-2, effects
+END
+done
+run 1 run motion.lua --model=MGD30w:2:step=0
+has stderr 'a model is ELEMENT:ELEMENTS.*got "MGD30w:2:step=0"'
+sed 's/, store = 0.045//' motion.lua >every.lua
+run 1 run every.lua --model=MGD30w:2:step=0.5
+has stderr 'every\.lua:9: dynamic: a model with another step needs store'
+run 0 advise every.lua --accuracy 2e-2
+has stdout 'error about .*, that of the step in time, which cannot be changed, left out$'
+
 # What cannot be asked for.
 run 2 advise
 run 2 advise beam.lua --accuracy 2

@@ -121,13 +121,13 @@ refuses 2 '--limit must be a number of seconds from 1 to 86400, got "0"' case.lu
 refuses 2 'a parameter is given twice: elements' case.lua elements=1 elements=2,4
 refuses 2 'words with commas between them, elements=2,4,8' case.lua elements=2,,4
 refuses 1 'nowhere.lua' nowhere.lua
-refuses 1 'all 5 models fail, .* with: the case has no parameter "Q"' case.lua Q=3 --quick
-refuses 1 'all 1 models fail, --model=BE24:2 with: it solves no scene' none.lua --model=BE24:2
+refuses 1 'no model runs; the first, .*, fails with: the case has no parameter "Q"' case.lua Q=3 --quick
+refuses 1 'no model runs; the first, --model=BE24:2, fails with: it solves no scene' none.lua --model=BE24:2
 refuses 1 'a model is ELEMENT:ELEMENTS' none.lua --model=BE24
 refuses 1 'the ladder of the case is empty' empty.lua
 refuses 1 'the case has no parameter "Q", did you mean "P"?$' plain.lua Q=3 elements=1,2
 refuses 1 'the case reports no value' silent.lua
-refuses 1 'all 2 models fail, --model=3333:1 with: it solves no scene' still.lua element=3333 \
+refuses 1 'no model runs; the first, --model=3333:1, fails with: it solves no scene' still.lua element=3333 \
     elements=1,2
 refuses 1 'wrong.lua:1: chart: element must be a number, string or boolean, got a table' wrong.lua
 refuses 1 'truth.lua:1: chart: truth has a name that is not among' truth.lua

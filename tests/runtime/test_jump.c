@@ -35,6 +35,7 @@ static hobe_model *truss(const hobe_section *section, double E, double H, double
     for (int i = 0; i < 2; i++) {
         struct hobe_beam bar = beam_along_x("MGD30", 1, section, E, 0, 0);
         bar.name = i ? "right" : "left";
+        bar.material.rho = 1000;
         bar.from[0] = i ? 0 : -1;
         bar.from[2] = i ? H : 0;
         bar.to[0] = i;
@@ -68,6 +69,26 @@ static void two_bars(double times)
     check_relative(EA * v * (H * H - v * v) / pow(l, 3), P, 1e-6, "equilibrium at %g", times);
     check_that(info_of(solution).negative == 0 && (v < 0) == (times > 1), "stable at %g", v / H);
     hobe_solution_free(solution);
+    hobe_model_free(model);
+    hobe_section_free(section);
+}
+
+/* A motion that begins at such an equilibrium says so of its first state alone. */
+static void motion(void)
+{
+    const struct hobe_dynamic options = {.to = 1e-5, .step = 1e-5, .equilibrium = 1};
+    struct hobe_error err;
+    hobe_history *history;
+    hobe_section *section = rectangle(0.1, 0.1);
+    hobe_model *model = truss(section, 1e9, 0.05, 5e3);
+    hobe_solution *start = at_once(model, HOBE_METHOD_NEWTON);
+    if (hobe_dynamic(model, &options, &history, &err))
+        check_stop("hobe_dynamic: %s", err.message);
+    const double first = info_of(hobe_history_state(history, 0)).limit_load;
+    check_that(first > 0 && first == info_of(start).limit_load, "the start of a motion: %g", first);
+    check_that(info_of(hobe_history_state(history, 1)).limit_load == 0, "and what follows");
+    hobe_history_free(history);
+    hobe_solution_free(start);
     hobe_model_free(model);
     hobe_section_free(section);
 }
@@ -186,6 +207,7 @@ int main(void)
             two_bars(times[i]);
         arches(times[i]);
     }
+    motion();
     on_the_path();
     return check_report();
 }

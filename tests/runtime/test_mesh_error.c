@@ -263,7 +263,7 @@ int main(void)
     locking(section);
     nothing_amiss(section);
     twisted(section);
-    random_scenes(8);
+    random_scenes(6);
     hobe_section_free(section);
     return check_report();
 }

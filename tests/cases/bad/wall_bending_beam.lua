@@ -2,9 +2,9 @@
 local hobe = require "hobe"
 local scene = hobe.scene{
   hobe.beam{ name = "box", element = "MGD30w", elements = 2,
-             section = hobe.rectangle{ width = 0.2, height = 0.1 },
+             section = hobe.circle{ radius = 0.1 },
              material = { E = 1e9, nu = 0.3 }, from = {0, 0, 0}, to = {1, 0, 0} },
-  hobe.clamp{ "box", at = 0 },
+  hobe.clamp{ "box", at = 0, warping = "free" },
   hobe.moment{ "box", at = 1, value = {1, 0, 0} },
 }
 local r = hobe.static(scene)
