@@ -139,5 +139,5 @@ hobe.report{
   cubic = { cubic, "", expect = 0, within = 0.06 },            -- the tables show
   unsaid = { unsaid, "", expect = 0, within = 0.0125 },        -- said from an estimate of 0.01
   kink_refused = { ok and 0 or 1, "", expect = 1 },
-  box_said = { said, "of 5", expect = 3 },
+  box_said = { said, "of 5", expect = 3 },                     -- the words: run_cli.sh
 }

@@ -299,6 +299,18 @@ run 0 run box.lua T=800
 has stdout '^beam box: .* 800 N m, is beyond .* means nothing'
 [ "$(wc -l <stderr)" -eq 2 ] || complain "not the first warning and how many more"
 
+cat >start.lua <<'END'
+local hobe = require "hobe"
+hobe.dynamic(hobe.scene{
+  hobe.beam{ name = "b", element = "MGD30", elements = 4, section = hobe.square{ side = 0.1 },
+             material = { E = 1e9, nu = 0, rho = 1e3 }, from = {0, 0, 0}, to = {5, 0, 0} },
+  hobe.clamp{ "b", at = 0 },
+  hobe.force{ "b", at = 1, value = {-1e3, 0, 0} },   -- Euler: 822 N, about both axes
+}, { to = 1e-3, step = 1e-3, start = "equilibrium" })
+END
+run 0 run start.lua
+has stderr '^start\.lua:2: warning: dynamic: the equilibrium at the start is unstable: .* 2 negative eig'
+
 # A sweep warns once of what it meets often, in any Lua; --format and files are what they were.
 cat >sweep.lua <<'END'
 local hobe = require "hobe"
