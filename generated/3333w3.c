@@ -395,8 +395,8 @@ static void invariants(struct hobe_invariants *inv, const double (*gauss)[2], in
 }
 
 /* E = sym(F0' H + H' H/2) of section vectors D0 and their changes U, F0 = sum_I D0_I g_I the
- * reference gradient, H = sum_I U_I g_I = du/dX: written with F0 + H/2.  Asked for a point at a time,
- * so small rather than fast. */
+ * reference gradient, H = sum_I U_I g_I = du/dX: written with F0 + H/2.  Asked for a point at a
+ * time, so small rather than fast. */
 static __attribute__((cold)) void green_lagrange(const double g[3][S], const double D0[S][3],
                                                  const double U[S][3], double *E)
 {
