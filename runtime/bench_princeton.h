@@ -5,7 +5,7 @@
 #define HOBE_BENCH_PRINCETON_H
 
 #include "bench.h"
-#include "newton.h"
+#include "solver.h"
 
 #define BENCH_PRINCETON_LENGTH 0.508 /* m */
 

@@ -3,7 +3,7 @@
  * modes of vibration.  A better basis costs more to find, and then the same. */
 #include "bench_princeton.h"
 #include "modes.h"
-#include "newton.h"
+#include "solver.h"
 #include "reduced.h"
 
 #include <stdio.h>

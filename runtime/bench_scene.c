@@ -3,7 +3,7 @@
  * of the paper's Table 6. */
 #define _GNU_SOURCE
 #include "bench_princeton.h"
-#include "newton.h"
+#include "solver.h"
 
 #include <fcntl.h>
 #include <malloc.h>

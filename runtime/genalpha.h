@@ -15,7 +15,7 @@
 #ifndef HOBE_GENALPHA_H
 #define HOBE_GENALPHA_H
 
-#include "newton.h"
+#include "solver.h"
 
 /* All that the steps to come depend on, but for factors at hand (genalpha_forget). */
 struct genalpha_state {

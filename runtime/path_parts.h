@@ -3,7 +3,7 @@
 #ifndef HOBE_PATH_PARTS_H
 #define HOBE_PATH_PARTS_H
 
-#include "newton.h"
+#include "solver.h"
 #include "series.h"
 #include "solution.h"
 

@@ -12,7 +12,7 @@
 #define HOBE_SERIES_H
 
 #include "assemble.h"
-#include "newton.h"
+#include "solver.h"
 
 enum { SERIES_ORDER = 20 }; /* at most TAYLOR_ORDER */
 

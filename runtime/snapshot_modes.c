@@ -2,7 +2,7 @@
 #include "snapshot_modes.h"
 
 #include "eigen.h"
-#include "newton.h"
+#include "solver.h"
 #include "solution.h"
 #include "vector3.h"
 

@@ -5,7 +5,7 @@
  *
  * K the tangent at some state, as a rule the reference.  By K fields count as the energy they take,
  * and one that leaves out a stiff part is far from what it stands for; by its diagonal, the square
- * of the norm |D^-1 a| of displacements (newton.h), as what they move, so that soft ones and rigid
+ * of the norm |D^-1 a| of displacements (solver.h), as what they move, so that soft ones and rigid
  * motions count, too.
  *
  * A scalar function psi is kept as a group of three fields, psi e_x, psi e_y and psi e_z, and the

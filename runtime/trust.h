@@ -10,12 +10,12 @@
  * (affine covariant form: Deuflhard 2004, Newton Methods for Nonlinear Problems, sect. 2.1).  Where
  * h is larger the correction is taken and the next one asked, and what was travelled adds up.  h is
  * an estimate of what the theorem bounds, and so the indicator is twice that, over the size of the
- * state; infinite where a few corrections come to nothing.  Norms are |D^-1 u| as in newton.h,
+ * state; infinite where a few corrections come to nothing.  Norms are |D^-1 u| as in solver.h,
  * without multipliers: a slope counts as what it moves over an element's length. */
 #ifndef HOBE_TRUST_H
 #define HOBE_TRUST_H
 
-#include "newton.h"
+#include "solver.h"
 
 struct trust {
     struct solver s;
