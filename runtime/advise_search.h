@@ -17,6 +17,7 @@ struct sequence {
     double *term;         /* [DOUBLINGS][quantities] */
     double *limit, *open; /* [quantities], and how far that may be off */
     double *ratio;        /* [quantities] by which the error of a mesh twice as fine is smaller */
+    double *slow;         /* [quantities] its last step, where steps do not shrink yet; else 0 */
 };
 
 /* The quantities Q(s, n) of a level, and what they are above those of the level before, D_s(n). */

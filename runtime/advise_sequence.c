@@ -8,7 +8,8 @@
 static const double NOTHING = 1e-12; /* quantities below it are zero */
 static const double SMALL = 0.01;    /* share of the largest of its unit that errors are measured
                                         by at least */
-static const double SLOW = 1.5, MODEST = 4, HIGH = 16; /* ratios of errors on meshes of n and 2 n */
+static const double SLOW = 1.5, MODEST = 4, SURE = 5,
+                    HIGH = 16;  /* ratios of errors on meshes of n and 2 n */
 static const double BETTER = 2; /* how much less a base must leave open than lower ones */
 
 /* ---- sequences ------------------------------------------------------------------------------- */
@@ -27,10 +28,10 @@ static int extrapolate(const double *D, int stride, double *limit, double *ratio
 }
 
 /* What a sequence tends to, and by how much that may be off: by its last step, less where its order
- * shows, and where two orders agree by what they differ in.  Two terms say little: of the
- * difference of two levels twice their step, and of a quantity itself, whose step may vanish by
- * chance, nothing.
- */
+ * shows, and where two orders agree by what they differ in, or by what a mesh twice as fine would
+ * leave: slow sequences agree by chance while a layer at an end is still too thin for them.  Two
+ * terms say little: of the difference of two levels twice their step, and of a quantity itself,
+ * whose step may vanish by chance, nothing. */
 static void find_limit(int is_step, int count, const double *D, int stride, double *limit,
                        double *open, double *ratio)
 {
@@ -53,15 +54,28 @@ static void find_limit(int is_step, int count, const double *D, int stride, doub
     }
     *open = step / (fmin(*ratio, MODEST) - 1);
     if (count > 3 && extrapolate(last - 3 * stride, stride, &earlier, &earlier_ratio))
-        *open = fmin(*open, fmax(fabs(*limit - earlier), 0.2 * fabs(*limit - *last)));
+        *open =
+            fmin(*open, fmax(fabs(*limit - earlier), fabs(*limit - *last) / fmin(*ratio, SURE)));
+}
+
+/* The last step of a sequence that does not settle yet, or has but two terms. */
+static double slow_step(int count, const double *D, int stride)
+{
+    const double *last = D + (count - 1) * stride;
+    double limit, ratio;
+    if (count < 2 || (count > 2 && extrapolate(last - 2 * stride, stride, &limit, &ratio)))
+        return 0;
+    return fabs(last[0] - last[-stride]);
 }
 
 static void find_limits(const struct search *s, int which, struct sequence *of)
 {
     const int n = s->problem->quantities;
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
         find_limit(which == STEP, of->count, of->term + i, n, of->limit + i, of->open + i,
                    of->ratio + i);
+        of->slow[i] = slow_step(of->count, of->term + i, n);
+    }
 }
 
 void advise_add_term(const struct search *s, struct sequence *to, int which, int elements,
@@ -122,11 +136,12 @@ static enum hobe_status refine(struct search *s, int l, int which, struct hobe_e
 enum hobe_status advise_open_sequence(struct sequence *of, size_t n, struct hobe_error *err)
 {
     of->term = hobe_alloc(DOUBLINGS * n, sizeof *of->term, err);
-    of->limit = hobe_alloc(3 * n, sizeof *of->limit, err);
+    of->limit = hobe_alloc(4 * n, sizeof *of->limit, err);
     if (!of->term || !of->limit)
         return HOBE_NO_MEMORY;
     of->open = of->limit + n;
     of->ratio = of->open + n;
+    of->slow = of->ratio + n;
     for (size_t i = 0; i < n; i++)
         of->open[i] = INFINITY;
     return HOBE_OK;
@@ -193,6 +208,17 @@ static const struct sequence *part_of(const struct search *s, int l, int base)
     return &s->level[l].of[l == base ? OWN : STEP];
 }
 
+/* What a sequence leaves open of the estimate with a level as its base, [quantities]; NULL:
+ * nothing. Of the steps from level to level that the base itself takes, what is slow: that hides in
+ * the quantity while more of it still converges fast. */
+static const double *open_of(const struct search *s, int l, int which, int base)
+{
+    const struct sequence *of = &s->level[l].of[which];
+    if (l <= base && which == STEP)
+        return l > 0 && !s->level[l].closed[STEP] ? of->slow : NULL;
+    return part_of(s, l, base) == of ? of->open : NULL;
+}
+
 /* The estimate with a level as its base: best, scale, and what is open. */
 static void estimate_from(struct search *s, int base)
 {
@@ -200,9 +226,11 @@ static void estimate_from(struct search *s, int base)
     const int n = s->problem->quantities;
     for (int i = 0; i < n; i++) {
         a->best[i] = s->x[i] = 0;
-        for (int l = base; l < s->levels; l++) {
+        for (int l = base; l < s->levels; l++)
             a->best[i] += part_of(s, l, base)->limit[i];
-            s->x[i] += part_of(s, l, base)->open[i];
+        for (int k = 0; k < SEQUENCES * s->levels; k++) {
+            const double *open = open_of(s, k / SEQUENCES, k % SEQUENCES, base);
+            s->x[i] += open ? open[i] : 0;
         }
     }
     advise_set_scale(s);
@@ -265,16 +293,18 @@ enum hobe_status advise_settle(struct search *s, double open, struct hobe_error 
     for (estimate(s); !status && s->advice->open > open * s->accuracy; estimate(s)) {
         int worst = -1;
         double most = 0;
-        for (int l = s->base; l < s->levels; l++) {
-            const double size = advise_loss_of(s, part_of(s, l, s->base)->open, NULL).size;
-            if (s->level[l].closed[l != s->base] || size <= most)
+        for (int k = 0; k < SEQUENCES * s->levels; k++) {
+            const int l = k / SEQUENCES, which = k % SEQUENCES;
+            const double *of = open_of(s, l, which, s->base);
+            const double size = of ? advise_loss_of(s, of, NULL).size : 0;
+            if (s->level[l].closed[which] || size <= most)
                 continue;
             most = size;
-            worst = l;
+            worst = k;
         }
         if (worst < 0)
             break;
-        status = refine(s, worst, worst != s->base, err);
+        status = refine(s, worst / SEQUENCES, worst % SEQUENCES, err);
     }
     return status;
 }
