@@ -22,11 +22,12 @@
 #include "hobe.h"
 #include "output.h"
 
-/* What a model leaves out to see what that loses; none is cheaper without. */
+/* What a model leaves out to see what that loses; of these only inertia makes one cheaper. */
 enum advise_without {
     ADVISE_COMPLETE,
     ADVISE_NO_SHEAR,   /* the section's mean shear strain is held by 1000 times its stiffness */
     ADVISE_NO_POISSON, /* nu = 0 in Poisson's coupling, with the same G */
+    ADVISE_NO_INERTIA, /* motions are equilibria at the times of their states (quasi_static.h) */
     ADVISE_WITHOUTS
 };
 
@@ -65,6 +66,7 @@ struct advise_problem {
     int levels;      /* at most ADVISE_LEVELS; each section's modes contain those before */
     const struct hobe_kernel *const *level;
     int most;          /* elements, at most */
+    int dynamic;       /* what motions without inertia lose is to be known */
     int moves;         /* the scene's motions take fixed steps in time, which are to be chosen */
     int weighs_linear; /* what a linear model loses is to be known, ... */
     int takes_linear;  /* ... and it may be taken */

@@ -19,10 +19,32 @@ enum hobe_status advise_weigh_linear(struct search *s, struct hobe_error *err)
     return advise_try_element(s, model.kernel, 1, err);
 }
 
+/* Equilibria in place of a motion: what they lose, all where there is none or no such quantity of
+ * it; they are taken where they hold and cost less. */
+static enum hobe_status weigh_dynamics(struct search *s, struct hobe_error *err)
+{
+    struct advice *a = s->advice;
+    struct advise_loss *loss = a->without + ADVISE_NO_INERTIA, error;
+    struct advise_model model = a->trial[a->model].model;
+    const struct advise_trial *trial;
+    if (!s->problem->dynamic)
+        return HOBE_OK;
+    model.without = ADVISE_NO_INERTIA;
+    model.step = 0;
+    const enum hobe_status status = advise_try_model(s, &model, &trial, err);
+    if (status)
+        return status;
+    *loss = trial ? advise_loss_of(s, trial->value, a->trial[a->model].value)
+                  : (struct advise_loss){INFINITY, 0};
+    if (trial && advise_holds(s, trial, &error) && trial->cost < a->trial[a->model].cost)
+        advise_take(s, trial, 1, error);
+    return HOBE_OK;
+}
+
 enum hobe_status advise_weigh_without(struct search *s, struct hobe_error *err)
 {
     struct advice *a = s->advice;
-    for (int w = ADVISE_COMPLETE + 1; w < ADVISE_WITHOUTS; w++) {
+    for (int w = ADVISE_COMPLETE + 1; w < ADVISE_NO_INERTIA; w++) {
         struct advise_model model = a->trial[a->model].model;
         const struct advise_trial *trial;
         model.without = (enum advise_without)w;
@@ -32,7 +54,7 @@ enum hobe_status advise_weigh_without(struct search *s, struct hobe_error *err)
         if (trial)
             a->without[w] = advise_loss_of(s, trial->value, a->trial[a->model].value);
     }
-    return HOBE_OK;
+    return weigh_dynamics(s, err);
 }
 
 void advise_weigh_levels(struct search *s)

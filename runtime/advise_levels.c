@@ -47,7 +47,7 @@ int advise_same_section(const struct hobe_kernel *a, const struct hobe_kernel *b
 int advise_leave_out(enum advise_without without, struct hobe_material *material)
 {
     static const double STIFF = 1000;
-    if (without == ADVISE_COMPLETE)
+    if (without == ADVISE_COMPLETE || without == ADVISE_NO_INERTIA)
         return 1;
     if (material->k2 != 1 || material->k3 != 1)
         return 0;

@@ -11,8 +11,9 @@
 /* ---- models as words ------------------------------------------------------------------------- */
 
 static const char LINEAR[] = "linear", PAPER[] = "paper", TIMES[] = "step=";
-static const char *const WITHOUT[] = {
-    [ADVISE_NO_SHEAR] = "no-shear", [ADVISE_NO_POISSON] = "no-poisson"};
+static const char *const WITHOUT[] = {[ADVISE_NO_SHEAR] = "no-shear",
+                                      [ADVISE_NO_POISSON] = "no-poisson",
+                                      [ADVISE_NO_INERTIA] = "quasi-static"};
 
 void advise_model_word(const struct advise_model *model, char *text)
 {
@@ -63,10 +64,11 @@ enum hobe_status advise_read_model(const char *text, struct advise_model *model,
         good = read_manner(word, model);
     if (good)
         return HOBE_OK;
-    return hobe_fail(err, HOBE_BAD_INPUT, NULL,
-                     "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :paper, "
-                     ":step=FACTOR, :no-shear or :no-poisson, such as MGD30w:8, got \"%.100s\"",
-                     most, text);
+    return hobe_fail(
+        err, HOBE_BAD_INPUT, NULL,
+        "a model is ELEMENT:ELEMENTS, from 1 to %d, and perhaps :linear, :paper, "
+        ":step=FACTOR, :no-shear, :no-poisson or :quasi-static, such as MGD30w:8, got \"%.100s\"",
+        most, text);
 }
 
 /* ---- evidence -------------------------------------------------------------------------------- */
@@ -80,14 +82,15 @@ static const char *verdict(const struct advice *a, struct advise_loss loss, int 
 
 int advise_evidence(const struct advice *a, struct advise_effect *effect)
 {
-    static const char *const without[] = {
-        [ADVISE_NO_SHEAR] = "shear", [ADVISE_NO_POISSON] = "Poisson's coupling"};
+    static const char *const without[] = {[ADVISE_NO_SHEAR] = "shear",
+                                          [ADVISE_NO_POISSON] = "Poisson's coupling",
+                                          [ADVISE_NO_INERTIA] = "dynamics"};
     const struct advise_problem *p = a->problem;
     const struct advise_model *model = &a->trial[a->model].model;
     int count = 0, has = 1;
     for (int w = ADVISE_COMPLETE + 1; w < ADVISE_WITHOUTS; w++)
-        effect[count++] =
-            (struct advise_effect){without[w], verdict(a, a->without[w], 1), a->without[w]};
+        effect[count++] = (struct advise_effect){
+            without[w], verdict(a, a->without[w], (int)model->without != w), a->without[w]};
     for (int l = 0; l < p->levels; l++) {
         if (l > 0)
             effect[count++] = (struct advise_effect){advise_step(p->level[l]),
@@ -107,7 +110,9 @@ int advise_evidence(const struct advice *a, struct advise_effect *effect)
 
 static void add_loss(const struct advice *a, struct advise_loss loss, struct hobe_text *text)
 {
-    if (loss.size > 0)
+    if (isinf(loss.size))
+        hobe_text_add(text, "all");
+    else if (loss.size > 0)
         hobe_text_add(text, "%.2g in %s", loss.size, a->problem->name[loss.quantity]);
     else
         hobe_text_add(text, "0");
@@ -124,6 +129,8 @@ void advise_say(const struct advice *a, struct hobe_text *text)
                   model->elements > 1 ? "s" : "", model->linear ? ", linear" : "");
     if (model->step > 0)
         hobe_text_add(text, ", %g times the step", model->step);
+    if (model->without == ADVISE_NO_INERTIA)
+        hobe_text_add(text, ", quasi-static");
     hobe_text_add(text, ": error about ");
     add_loss(a, a->error, text);
     if (a->problem->moves && isnan(a->step.size))
@@ -169,7 +176,7 @@ static struct hobe_cell number(double x)
 static void fill_loss(const struct advice *a, struct advise_loss loss, struct hobe_cell *cell)
 {
     cell[0] = number(loss.size);
-    cell[1].text = loss.size > 0 ? a->problem->name[loss.quantity] : "";
+    cell[1].text = loss.size > 0 && isfinite(loss.size) ? a->problem->name[loss.quantity] : "";
 }
 
 /* The values of the model taken beside the estimate. */

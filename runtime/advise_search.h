@@ -117,7 +117,8 @@ enum hobe_status advise_choose_step(struct search *s, struct hobe_error *err);
  * mesh does may cancel. */
 enum hobe_status advise_weigh_linear(struct search *s, struct hobe_error *err);
 
-/* What the chosen model would lose without what it has in any case. */
+/* What the chosen model would lose without what it has in any case, and without inertia, which it
+ * then may do without. */
 enum hobe_status advise_weigh_without(struct search *s, struct hobe_error *err);
 
 /* What each step between levels is worth, and what the chosen mesh leaves open. */

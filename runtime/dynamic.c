@@ -6,6 +6,7 @@
 #include "constraint.h"
 #include "drive.h"
 #include "mass.h"
+#include "quasi_static.h"
 #include "reduction.h"
 #include "solution.h"
 #include "vector3.h"
@@ -474,7 +475,7 @@ static void set_defaults(struct run *run)
         run->wanted = fmin(run->wanted, sqrt(o->accuracy * g->size / w));
 }
 
-static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_error *err)
+static enum hobe_status integrate(struct run *run, hobe_model *model, struct hobe_error *err)
 {
     int resumed;
     enum hobe_status status = genalpha_open(&run->g, model, &run->options, err);
@@ -482,9 +483,6 @@ static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_
         status = account_open(&run->account, model, err);
     if (status)
         return status;
-    run->history = hobe_alloc(1, sizeof *run->history, err);
-    if (!run->history)
-        return HOBE_NO_MEMORY;
     status = checkpoint_load(run, &resumed, err);
     if (!status && !resumed)
         status = begin(run, err);
@@ -497,6 +495,18 @@ static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_
     run->history->info.projected = run->g.s.space.count;
     run->history->info.linearisations = run->g.s.info.linearisations;
     run->history->info.factorisations = run->g.s.info.factorisations;
+    return status;
+}
+
+static enum hobe_status run_all(struct run *run, hobe_model *model, struct hobe_error *err)
+{
+    run->started = hobe_seconds();
+    run->history = hobe_alloc(1, sizeof *run->history, err);
+    if (!run->history)
+        return HOBE_NO_MEMORY;
+    const enum hobe_status status = run->options.quasi_static
+                                        ? quasi_static(model, &run->options, run->history, err)
+                                        : integrate(run, model, err);
     run->history->info.seconds = hobe_seconds() - run->started;
     return status;
 }
@@ -515,7 +525,6 @@ enum hobe_status hobe_dynamic(hobe_model *model, const struct hobe_dynamic *opti
         status = reduction_check_motion(model, err);
     if (status)
         return status;
-    run.started = hobe_seconds();
     status = run_all(&run, model, err);
     if (status)
         hobe_history_free(run.history);

@@ -895,6 +895,9 @@ struct hobe_dynamic {
                         from the reference; with the velocities of hobe_motion */
     const hobe_solution *start; /* or from this state of the model: an equilibrium, at t = 0, or one
                                    of an earlier motion, at its time with its velocities */
+    int quasi_static; /* 1: without inertia and damping, its states the equilibria at their times,
+                         for which it needs store, and no more than that and start; 0: as it moves
+                       */
     void (*log)(void *context, const struct hobe_time_step *step); /* may be NULL */
     void *context;
     struct hobe_journal *journal; /* to go on from, and to keep what is needed for that, every 100

@@ -189,6 +189,8 @@ void hobe_lua_add_record(lua_State *L, struct hobe_text *text, const struct hobe
     hobe_text_add(text, "iterations\t%ld\n", context->cost.factorisations);
     if (context->stepped)
         hobe_text_add(text, "stepped\n");
+    if (context->moved > 0)
+        hobe_text_add(text, "moved\n");
     for (size_t i = 0; i < count; i++)
         hobe_text_add(text, "value\t%s\t%s\t%a\t%a\t%a\n", value[i].name,
                       value[i].unit ? value[i].unit : "", value[i].value,

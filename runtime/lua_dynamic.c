@@ -292,16 +292,18 @@ static void warn_of_steps(lua_State *L, const hobe_history *history)
     hobe_lua_warn(L, HOBE_LUA_WARN_STEPS, text);
 }
 
-/* The step that the run's model asks for; steps that an accuracy chooses are left to it.  Without
- * `store` every step is a state, and the script's states would be others. */
-static void change_step(lua_State *L, struct hobe_dynamic *options)
+/* The step that the run's model asks for, or none; steps that an accuracy chooses are left to it.
+ * Without `store` every step is a state, and the script's states would be others. */
+static void follow_model(lua_State *L, struct hobe_dynamic *options)
 {
     struct hobe_lua *context = hobe_lua_context(L);
-    const double times = context->model ? context->model->step : 0;
-    if (options->accuracy > 0)
-        return;
-    context->stepped = 1;
-    if (times > 0 && !(options->store > 0))
+    const struct advise_model *model = context->model;
+    const int fixed = !(options->accuracy > 0), stored = options->store > 0;
+    const double times = model && fixed ? model->step : 0;
+    context->stepped |= fixed;
+    context->moved = stored && context->moved >= 0 ? 1 : -1;
+    options->quasi_static = model && model->without == ADVISE_NO_INERTIA;
+    if (times > 0 && !stored)
         hobe_lua_fail(L, "dynamic: a model with another step needs store, the time between the "
                          "states that are kept");
     if (times > 0)
@@ -318,7 +320,7 @@ static int solve_dynamic(lua_State *L)
     struct watch watch = {context, options.log || context->log, 0, hobe_lua_now()};
     struct hobe_error err;
     read_start(L, &options.dynamic);
-    change_step(L, &options.dynamic);
+    follow_model(L, &options.dynamic);
     options.dynamic.projection =
         hobe_lua_finish_projection(L, &dynamic_schema, &options.projection);
     struct history *history = lua_newuserdatauv(L, sizeof *history, 2);
@@ -331,7 +333,7 @@ static int solve_dynamic(lua_State *L)
     options.dynamic.log = watch_step;
     options.dynamic.context = &watch;
     context->solves++;
-    if (!options.dynamic.projection)
+    if (!options.dynamic.projection && !options.dynamic.quasi_static)
         history->journal = options.dynamic.journal = hobe_lua_open_journal(L);
     hobe_lua_pause_clock();
     if (watch.log)

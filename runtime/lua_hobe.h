@@ -111,6 +111,8 @@ struct hobe_lua {
     const struct advise_model *model; /* in place of what the script says of its models, or NULL;
                                          kept by the caller */
     int stepped;                      /* some motion took steps in time that are fixed */
+    int moved;                        /* 1: some did, whose states are at times of their own; -1:
+                                         one of them where steps end; 0: none */
     int trying;                       /* models are being tried: nothing is noted */
     int overridden;                   /* some parameter is not at its default */
     int called;                       /* a function of the script is being called by the core */

@@ -143,18 +143,19 @@ static int search(struct subject *subject)
     struct advice advice = {0};
     const struct hobe_kernel *level[ADVISE_LEVELS];
     enum hobe_status status = ask(subject, &err);
-    const struct advise_problem problem = {.quantities = subject->quantities,
-                                           .name = subject->name,
-                                           .unit = subject->unit,
-                                           .accuracy = subject->accuracy,
-                                           .levels = advise_levels(level),
-                                           .level = level,
-                                           .most = MOST_ELEMENTS,
-                                           .moves = ladder_find(&subject->first, "stepped", 1, 0) !=
-                                                    NULL,
-                                           .takes_linear = 1,
-                                           .run = run_model,
-                                           .context = subject};
+    const struct advise_problem problem = {
+        .quantities = subject->quantities,
+        .name = subject->name,
+        .unit = subject->unit,
+        .accuracy = subject->accuracy,
+        .levels = advise_levels(level),
+        .level = level,
+        .most = MOST_ELEMENTS,
+        .dynamic = ladder_find(&subject->first, "moved", 1, 0) != NULL,
+        .moves = ladder_find(&subject->first, "stepped", 1, 0) != NULL,
+        .takes_linear = 1,
+        .run = run_model,
+        .context = subject};
     if (!status)
         status = advise(&problem, &advice, &err);
     show_progress("");

@@ -99,8 +99,22 @@ for row in advice["values"]:
     assert error <= 2 * 2e-2, (row, error)
 effects = {e["effect"]: e for e in advice["evidence"]}
 assert effects["a shorter step"]["loss without it"] <= 2e-2, effects
+assert effects["dynamics"]["verdict"] == "needed", effects
+assert effects["dynamics"]["loss without it"] > 0.1, effects
 END
 done
+
+# Where the force comes slowly, a hundred periods long, equilibria do; of nothing that holds it there
+# are none.
+sed 's/value = {0, 0, -1}/&, history = function(t) return t\/6 end/
+     s/to = 0.09, .*store = 0.045/to = 6, step = 0.01, store = 3/' motion.lua >slow.lua
+run 0 advise slow.lua --accuracy 2e-2
+has stdout '^accuracy 0\.02 is held by .*, quasi-static: error about '
+has stdout '^  hobe run slow\.lua --model=.*:quasi-static$'
+has stdout '^dynamics +left out'
+sed "/hobe.clamp/d" motion.lua >free.lua
+run 0 advise free.lua --accuracy 2e-2
+has stdout '^dynamics +needed *$'
 run 1 run motion.lua --model=MGD30w:2:step=0
 has stderr 'a model is ELEMENT:ELEMENTS.*got "MGD30w:2:step=0"'
 sed 's/, store = 0.045//' motion.lua >every.lua

@@ -497,6 +497,51 @@ static void kinks(const hobe_section *section)
     check_that(e[2].damped > 0.1 && fabs(e[2].balance) < 1e-3 * e[2].drives, "of all the work");
 }
 
+/* ---- without inertia ------------------------------------------------------------------------- */
+
+static hobe_model *driven_bar(const hobe_section *section, hobe_drive *drive)
+{
+    hobe_model *model = bar("MGD30", 2, section, 1e7);
+    add_motor(model, drive);
+    add_gravity(model);
+    return model;
+}
+
+/* The states of a quasi-static motion are the equilibria of their times, found from elsewhere, at
+ * rest; the last interval may be shorter. */
+static void equilibria(const hobe_section *section)
+{
+    static const double angle[][2] = {{0, 0}, {0.1, 1}, {0.2, 0.5}}, time[] = {0, 0.08, 0.16, 0.2};
+    enum { STATES = sizeof time / sizeof *time };
+    struct hobe_error err;
+    hobe_drive *drive = hobe_drive_points(3, angle, HOBE_LINEAR, 0, &err);
+    if (!drive)
+        check_stop("%s", err.message);
+    hobe_model *model = driven_bar(section, drive), *other = driven_bar(section, drive);
+    hobe_history *history =
+        move(model, &(struct hobe_dynamic){.to = 0.2, .step = 1, .store = 0.08, .quasi_static = 1});
+    check_that(about(history).states == STATES, "%d states", about(history).states);
+    for (int i = 0; i < STATES; i++) {
+        const hobe_solution *state = hobe_history_state(history, i);
+        hobe_solution *alone;
+        double v[3], w[3];
+        struct hobe_solution_info info;
+        expect_ok(hobe_static(other, &(struct hobe_newton){.time = time[i]}, &alone, &err), &err);
+        hobe_solution_info(state, &info);
+        check_absolute(info.time, time[i], 1e-15, "time of state %d", i);
+        check_absolute(
+            distance(point_of(state, "beam", 1, 0, 0).r, point_of(alone, "beam", 1, 0, 0).r), 0,
+            1e-9, "state %d, to the tolerance of Newton's iteration", i);
+        expect_ok(hobe_solution_velocity(state, "beam", 1, 0, 0, v, w, &err), &err);
+        check_that(norm(v) == 0 && norm(w) == 0, "it is at rest");
+        hobe_solution_free(alone);
+    }
+    hobe_history_free(history);
+    hobe_model_free(model);
+    hobe_model_free(other);
+    hobe_drive_free(drive);
+}
+
 /* ---- what is refused ------------------------------------------------------------------------- */
 
 static void refuse(hobe_model *model, const struct hobe_dynamic *options, enum hobe_status expected,
@@ -542,6 +587,12 @@ static void refused(const hobe_section *section)
     refuse(bar("MGD30", 1, section, 1e9),
            &(struct hobe_dynamic){.to = 1, .step = 1, .equilibrium = 1}, HOBE_UNCONSTRAINED,
            "free to move");
+    refuse(bar("MGD30", 1, section, 1e9),
+           &(struct hobe_dynamic){.to = 1, .step = 1, .quasi_static = 1}, HOBE_BAD_INPUT,
+           "needs store > 0 s");
+    refuse(bar("MGD30", 1, section, 1e9),
+           &(struct hobe_dynamic){.to = 1, .step = 1, .store = 1, .quasi_static = 1},
+           HOBE_UNCONSTRAINED, "free to move");
     model = bar("MGD30", 1, section, 1e9);
     add_clamp(model, "beam", 0, 0);
     set_moving(model, (struct hobe_motion){.velocity = {1, 0, 0}});
@@ -588,6 +639,7 @@ int main(void)
     rejection(section);
     go_on(section);
     kinks(section);
+    equilibria(section);
     rest(section);
     unstable(section);
     refused(section);
