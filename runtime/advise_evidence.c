@@ -36,8 +36,10 @@ static enum hobe_status weigh_dynamics(struct search *s, struct hobe_error *err)
         return status;
     *loss = trial ? advise_loss_of(s, trial->value, a->trial[a->model].value)
                   : (struct advise_loss){INFINITY, 0};
-    if (trial && advise_holds(s, trial, &error) && trial->cost < a->trial[a->model].cost)
+    if (trial && advise_holds(s, trial, &error) && trial->cost < a->trial[a->model].cost) {
         advise_take(s, trial, 1, error);
+        a->step.size = NAN; /* it has none */
+    }
     return HOBE_OK;
 }
 

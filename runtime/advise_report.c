@@ -133,7 +133,7 @@ void advise_say(const struct advice *a, struct hobe_text *text)
         hobe_text_add(text, ", quasi-static");
     hobe_text_add(text, ": error about ");
     add_loss(a, a->error, text);
-    if (a->problem->moves && isnan(a->step.size))
+    if (a->problem->moves && isnan(a->step.size) && model->without != ADVISE_NO_INERTIA)
         hobe_text_add(text, ", that of the step in time, which cannot be changed, left out");
 }
 

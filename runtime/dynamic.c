@@ -455,6 +455,9 @@ static enum hobe_status check_options(const struct hobe_dynamic *o, struct hobe_
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a motion needs a finite end and step, and rho up to 1, got %g, %g and %g",
                          o->to, o->step, o->rho);
+    if (o->projection && o->quasi_static)
+        return hobe_fail(err, HOBE_BAD_INPUT, NULL,
+                         "a quasi-static motion takes no projection; leave one of them out");
     if (o->projection && o->journal)
         return hobe_fail(err, HOBE_BAD_INPUT, NULL,
                          "a motion with a projection cannot be taken up from a journal; leave one "
